@@ -122,7 +122,7 @@ QString sheetText(const Live& live, const JobSheet& sheet) {
         for (const JobZero& one : zeros) rows += cells({QString("L%1").arg(one.channel), QString::fromStdString(one.system + " " + one.axis), QString::number(one.wanted, 'f', 3), zeroText(one)}, "td");
         html += table(rows);
     }
-    html += headline(word("Tools that it needs"));
+    html += headline(word("Required tools"));
     rows = cells({word("Channel"), word("Station"), word("Wanted"), word("Mounted"), word("State")}, "th");
     for (const SheetTool& one : compareTools(live, job)) rows += cells({QString("L%1").arg(one.channel), QString::number(one.station), one.wanted, matchText(one), one.state.text}, "td");
     html += table(rows);

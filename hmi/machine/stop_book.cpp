@@ -77,7 +77,7 @@ StopWords stopWords(const QString& cause) {
     if (cause == "program") return {word("Programmed stop"), Sign::Stop, t.warn};
     if (cause == "single") return {word("Single block"), Sign::Stop, t.accent};
     if (cause == "operator") return {word("Work by hand"), Sign::Manual, t.accent};
-    if (cause == "reset") return {word("Broken off"), Sign::Reset, t.dim};
+    if (cause == "reset") return {word("Reset"), Sign::Reset, t.dim};
     return {word("No start"), Sign::Ended, t.accent};
 }
 

@@ -67,7 +67,7 @@ void Alarms::fillAlarms() {
     const bool all = page_ == Page::History;
     table_->columns = {{word("Time"), 1.5}, {"", 0.55}, {word("Number"), 1.1}, {word("Text"), 8}};
     table_->rowUnits = 38;
-    table_->nothing = all ? word("No alarm and no message is known yet.") : word("No alarm stands.");
+    table_->nothing = all ? word("No alarm and no message is known yet.") : word("No active alarms.");
     rows_.clear();
     for (auto entry = desk_.alarms.all().rbegin(); entry != desk_.alarms.all().rend(); ++entry)
         if (all || entry->standing) rows_.push_back(*entry);

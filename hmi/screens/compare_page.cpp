@@ -79,8 +79,8 @@ void ComparePage::compose(Writer& w) {
 
 void ComparePage::addKeys(std::vector<SoftKey>& keys) {
     const bool any = difference_.places > 0;
-    keys.push_back({word("Next place"), [this] { go(1); }, Sign::Down, any});
-    keys.push_back({word("Place before"), [this] { go(-1); }, Sign::Up, any});
+    keys.push_back({word("Next difference"), [this] { go(1); }, Sign::Down, any});
+    keys.push_back({word("Previous difference"), [this] { go(-1); }, Sign::Up, any});
     keys.push_back({word("Page up"), [this] { scroll(-room()); }, Sign::None, first_ > 0});
     keys.push_back({word("Page down"), [this] { scroll(room()); }, Sign::None, first_ + room() < static_cast<int>(difference_.lines.size())});
 }

@@ -114,7 +114,7 @@ void CompensationPage::composeGraph(Writer& w) {
     const CompensationCurve* curve = chosen();
     if (!curve) return;
     w.text(QRectF(px(14), px(8), wide - px(28), px(26)), title(*curve), lettering(16, true), t.text);
-    w.text(QRectF(px(14), px(34), wide - px(28), px(22)), curve->on ? word("The machine works with it") : word("Switched off"), lettering(13.5), curve->on ? t.good : t.warn);
+    w.text(QRectF(px(14), px(34), wide - px(28), px(22)), curve->on ? word("Active") : word("Switched off"), lettering(13.5), curve->on ? t.good : t.warn);
     const auto [first, last] = std::minmax_element(curve->points.begin(), curve->points.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     const double from = first->at, span = std::max(1e-9, last->at - from);
     const double division = roundStep(std::max(largest(*curve), 1e-4) * 1.05 / 4), most = 4 * division;

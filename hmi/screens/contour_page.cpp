@@ -31,8 +31,8 @@ const std::vector<ContourPage::Datum>& ContourPage::dataOf(int kind) {
     static const std::vector<Datum> kStart{{"Z", WORD("Start point Z"), "mm", nullptr, Special::StartZ}, {"X", WORD("Start point X"), "mm", nullptr, Special::StartX, true},
                                            {"G", WORD("To the start: 0 not, 1 feed, 2 rapid"), "", nullptr, Special::Approach}, {"P", WORD("Number of its first block"), "N", nullptr, Special::First},
                                            {"Q", WORD("Number of its last block"), "N", nullptr, Special::Last}};
-    static const Datum kEnd[] = {{"Z", WORD("End point Z"), "mm", &Element::z}, {"X", WORD("End point X"), "mm", &Element::x, Special::None, true}, {"dZ", WORD("Way along Z"), "mm", &Element::dz}, {"dX", WORD("Way along X (radius)"), "mm", &Element::dx}};
-    static const Datum kBetween[] = {{"T", WORD("Tangential to the one before: 1"), "", nullptr, Special::Tangent}, {"CH", WORD("Chamfer to the next one"), "mm", nullptr, Special::Chamfer}, {"RD", WORD("Rounding to the next one"), "mm", nullptr, Special::Round}};
+    static const Datum kEnd[] = {{"Z", WORD("End point Z"), "mm", &Element::z}, {"X", WORD("End point X"), "mm", &Element::x, Special::None, true}, {"dZ", WORD("Increment in Z"), "mm", &Element::dz}, {"dX", WORD("Increment in X (radius)"), "mm", &Element::dx}};
+    static const Datum kBetween[] = {{"T", WORD("Tangential to the one before (1: yes)"), "", nullptr, Special::Tangent}, {"CH", WORD("Chamfer to the next one"), "mm", nullptr, Special::Chamfer}, {"RD", WORD("Rounding to the next one"), "mm", nullptr, Special::Round}};
     static const std::vector<Datum> kLine = [] {
         std::vector<Datum> out(std::begin(kEnd), std::end(kEnd));
         out.push_back({"L", WORD("Length"), "mm", &Element::length});
@@ -70,7 +70,7 @@ contour::Writing contourWriting(const Live& live, unsigned channel, const QStrin
 
 ContourPage::ContourPage(Desk& desk, QWidget* parent)
     : EditorOverlay(parent), desk_(desk), elements_(new Table(this)), data_(new Table(this)), pad_(new NumberPad(this)), picture_(new ContourPicture(this)), note_(new FreeSheet(this)) {
-    elements_->columns = {{word("Contour"), 1}, {word("What is told"), 1.7}};
+    elements_->columns = {{word("Contour"), 1}, {word("Given"), 1.7}};
     elements_->rowUnits = 42, elements_->textUnits = 15;
     elements_->rows = [this] { return static_cast<int>(now_.contour.elements.size()) + 1; };
     elements_->cell = [this](int row, int column) -> Table::Cell {
@@ -87,7 +87,7 @@ ContourPage::ContourPage(Desk& desk, QWidget* parent)
         return {QString("%1  %2").arg(row).arg(kind), state == State::Known ? t.text : state == State::Open ? t.warn : t.bad, state == State::Known ? Sign::Good : state == State::Open ? Sign::Wait : Sign::Alarm, true};
     };
     elements_->onChosen = [this] { pad_->clear(), data_->choose(0), refresh(); };
-    data_->columns = {{word("Datum"), 0.7}, {word("Meaning"), 2.8}, {word("Value"), 1.2, Qt::AlignRight | Qt::AlignVCenter}};
+    data_->columns = {{word("Field"), 0.7}, {word("Meaning"), 2.8}, {word("Value"), 1.2, Qt::AlignRight | Qt::AlignVCenter}};
     data_->rowUnits = 34, data_->textUnits = 15;
     data_->rows = [this] { return static_cast<int>(dataOf(elements_->row() == 0 ? -1 : static_cast<int>(now_.contour.elements[static_cast<std::size_t>(elements_->row() - 1)].kind)).size()); };
     data_->cell = [this](int row, int column) -> Table::Cell {

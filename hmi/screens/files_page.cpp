@@ -315,7 +315,7 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
         compared({}, QFileInfo(QString::fromStdString(job.machine)).fileName(), {}, Sign::Warning, t.warn, word("not this one"), false);
     }
     if (const std::vector<SheetTool> tools = compareTools(desk_.live, job); !tools.empty()) {
-        headline(word("Tools that it needs"), {}, word("Mounted"));
+        headline(word("Required tools"), {}, word("Mounted"));
         for (const SheetTool& tool : tools) {
             const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
             const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
@@ -376,7 +376,7 @@ void FilesPage::composeJob(Writer& w, double y) {
     const QRectF key(px(8), view_->height() - turn - px(4), wide - px(16), turn);
     w.fill(key, t.raised, px(6));
     w.sign(QRectF(key.left() + px(10), key.center().y() - px(9), px(18), px(18)), Sign::Right, t.accent);
-    w.text(key.adjusted(px(38), 0, -px(70), 0), end < lines.size() ? word("Goes on") : word("From the beginning"), lettering(15), t.text);
+    w.text(key.adjusted(px(38), 0, -px(70), 0), end < lines.size() ? word("Next page") : word("From the beginning"), lettering(15), t.text);
     w.text(key.adjusted(0, 0, -px(10), 0), QString("%1 / %2").arg(sheetPage_ + 1).arg(sheetPages_), lettering(15), t.dim, kRight);
     w.hit(key, 1);
 }
@@ -407,7 +407,7 @@ void FilesPage::composeState(Writer& w) {
     }
     const bool good = outcome_.ok();
     if (told_) w.sign(QRectF(px(14), high / 2 - px(10), px(20), px(20)), good ? Sign::Good : Sign::Alarm, good ? t.good : t.bad);
-    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.told() + (good && outcome_.files > 1 ? "  " + word("files: %1").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
+    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.told() + (good && outcome_.files > 1 ? "  " + word("files: %1").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Mark» chooses what is copied or compared") : word("Marked: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
 }
 
 void FilesPage::start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work) {
@@ -474,7 +474,7 @@ void FilesPage::addMenuKeys(std::vector<SoftKey>& keys) {
     const FileEntry* one = chosen();
     const bool real = one && !one->up, free = !worker_.busy() && naming_ == Naming::None;
     keys.push_back({word("Back"), [this] { naming_ != Naming::None ? name(Naming::None) : showMenu(false); }, Sign::Left});
-    keys.push_back({word("Take"), [this] { taken_ = chosenPath(), told_ = false, refresh(); }, Sign::None, real && free, !taken_.isEmpty() && taken_ == chosenPath()});
+    keys.push_back({word("Mark"), [this] { taken_ = chosenPath(), told_ = false, refresh(); }, Sign::None, real && free, !taken_.isEmpty() && taken_ == chosenPath()});
     const QString to = taken_.isEmpty() || placesShown_ ? QString() : target(), name = to.section('/', -1);
     const bool exists = std::any_of(entries_.begin(), entries_.end(), [&](const FileEntry& entry) { return entry.name == name; });
     keys.push_back({word("Copy to here"), [this] { put(); }, Sign::Good, free && !to.isEmpty(), false, exists, exists ? word("Replaces the one that is here: press again") : QString()});
@@ -493,7 +493,7 @@ void FilesPage::addMenuKeys(std::vector<SoftKey>& keys) {
         keys.push_back({word("Keep as place"), [this] { if (keepPlace(placeFiles().back(), QDir(desk_.folder).dirName(), desk_.folder)) desk_.tell(word("Kept: %1").arg(desk_.folder), Told::Good); }});
     }
     if (worker_.busy()) keys.push_back({word("Stop"), [this] { worker_.stop(); }, Sign::Stop, true, false, true});
-    else keys.push_back({word("Read again"), [this] { placesShown_ ? showPlaces() : readAgain(); }, Sign::None, free});
+    else keys.push_back({word("Refresh"), [this] { placesShown_ ? showPlaces() : readAgain(); }, Sign::None, free});
 }
 
 bool FilesPage::key(QKeyEvent* event) {

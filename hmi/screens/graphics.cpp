@@ -47,7 +47,7 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
             w.text(box.adjusted(px(38), 0, -px(10), 0), word("Simulation: %1 of %2").arg(timeText(dryTime_), timeText(dryRun_.end())), lettering(15, true), t.text);
             w.text(QRectF(box.left() - px(60), 0, px(50), head_->height()), QString::fromUtf8("× %1").arg(drySpeed_, 0, 'f', 0), lettering(15, true), t.dim, kRight);   // how fast it is played
         } else if (count <= kFewChannels) {
-            w.text(rest, word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+            w.text(rest, word("Paths since these screens started; tips drawn as points"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
         }
     };
 }

@@ -417,8 +417,8 @@ void Graphics::drawNotes(QPainter& p, const QRegion& region) {
         p.setPen(t.dim), p.setFont(font);
         paintWords(p, box, Qt::AlignLeft | Qt::AlignBottom, text);
     };
-    QString left = word("Whole outline: guarded; broken outline: only drawn");
-    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Since the start of these screens; tips as points, without width and radius");   // no room for it on top
+    QString left = word("Solid outline: monitored; dashed: drawn only");
+    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Paths since these screens started; tips drawn as points");   // no room for it on top
     const QRectF written(foot.left(), foot.bottom() - high, wordsWidth(left, font), high);
     note(left, written);
     if (shown().stock.any()) return;

@@ -289,7 +289,7 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
     return {{word("Jog keys"), std::move(back), Sign::Left},
             {word("Handwheel"), press(QString("mode %1=handwheel").arg(name)), Sign::Manual, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Handwheel},
             {word("Factor"), [this] { factor_ = factor_ >= 100 ? 1 : factor_ * 10, refresh(); }, Sign::None, there},
-            {word("Wheel in program"), press(QString("superpose %1=%2").arg(name, superposes ? "off" : "on")), Sign::None, there, superposes},
+            {word("Handwheel offset"), press(QString("superpose %1=%2").arg(name, superposes ? "off" : "on")), Sign::None, there, superposes},
             {word("Reference"), press(QString("mode %1=reference").arg(name)), Sign::Offsets, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Reference},
             {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty() && idle(desk_.channel), false, false, word("The turret turns: press again")},
             {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again")},

@@ -224,7 +224,7 @@ void Manual::composeAxes(Writer& w) {
         const bool here = step_ == static_cast<int>(i);
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, i == 0 ? word("As held") : QString("%1 %2").arg(kSteps[i], unit), lettering(17, here), t.text, Qt::AlignCenter);
+        w.text(box, i == 0 ? word("Continuous") : QString("%1 %2").arg(kSteps[i], unit), lettering(17, here), t.text, Qt::AlignCenter);
         w.hit(box, kStepHits + static_cast<int>(i));
     }
 }

@@ -363,7 +363,7 @@ void Offsets::composeSide(Writer& w) {
             line(zeros_ ? word("All zeros together") : word("Geometry + wear"), lengthText(sum, value->decimals), t.text);
             line(word("Applied now"), lengthText(applied, value->decimals), same ? t.good : t.warn);
             w.sign(QRectF(px(12), y + px(2), px(16), px(16)), same ? Sign::Good : Sign::Wait, same ? t.good : t.warn);
-            w.text(QRectF(px(34), y, wide - px(44), px(22)), same ? word("The machine works with it") : zeros_ ? word("Active from the next blocks") : word("Active at the next T"), lettering(14), same ? t.good : t.warn);
+            w.text(QRectF(px(34), y, wide - px(44), px(22)), same ? word("Active") : zeros_ ? word("Active from the next blocks") : word("Active at the next T"), lettering(14), same ? t.good : t.warn);
         } else {
             w.text(QRectF(px(12), y, wide - px(24), px(22)), word("Not in use by the running program"), lettering(14), t.dim);
         }
@@ -373,7 +373,7 @@ void Offsets::composeSide(Writer& w) {
     y += px(4);
     w.text(QRectF(px(12), y, wide - px(24), px(20)), word("Who has changed this value"), lettering(12.5, false, Face::Condensed), t.dim);
     y += px(21);
-    if (history_.isEmpty() && chosen()) w.text(QRectF(px(12), y, wide - px(24), px(44)), word("Nobody has changed it since the store was begun."), lettering(13, false, Face::Condensed), t.dim, Qt::AlignLeft | Qt::AlignTop).wraps = true;
+    if (history_.isEmpty() && chosen()) w.text(QRectF(px(12), y, wide - px(24), px(44)), word("No changes recorded."), lettering(13, false, Face::Condensed), t.dim, Qt::AlignLeft | Qt::AlignTop).wraps = true;
     for (auto entry = history_.begin(); entry != history_.end() && y + px(20) < high; ++entry, y += px(20)) w.data(QRectF(px(12), y, wide - px(24), px(20)), *entry, lettering(13, false, Face::Condensed), t.text);
 }
 

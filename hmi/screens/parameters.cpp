@@ -25,9 +25,9 @@ constexpr int kHistoryAtOnce = 300;   // rows: they are read within a frame
 
 const char* effectWord(params::Effect effect) {
     switch (effect) {
-        case params::Effect::Tick: return WORD("acts at once");
-        case params::Effect::Barrier: return WORD("acts at the channel's next stop of reading");
-        case params::Effect::Restart: return WORD("acts after a restart of the controller");
+        case params::Effect::Tick: return WORD("takes effect at once");
+        case params::Effect::Barrier: return WORD("takes effect at the next preprocessing stop");
+        case params::Effect::Restart: return WORD("takes effect after a restart of the controller");
     }
     return "";
 }
@@ -231,7 +231,7 @@ void Parameters::takeFile() {
 void Parameters::setColumns() {
     if (page_ == Page::History) {
         table_->columns = {{word("When"), 1.6}, {word("What"), 1.8}, {word("Who"), 1.6}, {word("Before"), 1.6, kRight}, {word("After"), 1.6, kRight}};
-        table_->nothing = word("Nobody has changed it since the store was begun.");
+        table_->nothing = word("No changes recorded.");
     } else {
         table_->columns = {{word("Number"), 1.7}, {word("Name"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 1.6}};
         table_->nothing = word("No parameter has this in its number, name or meaning.");
@@ -449,7 +449,7 @@ std::vector<SoftKey> Parameters::keys() {
     std::vector<SoftKey> keys{{word("Search"), [this] { searching_ = !searching_, head_->refresh(); }, Sign::None, true, searching_},
                               {word("Clear search"), [this] { search_.clear(), searching_ = false, search(); }, Sign::None, !search_.isEmpty()},
                               {word("Changed only"), [this] { only_ = only_ == Only::Changed ? Only::All : Only::Changed, search(); }, Sign::None, desk_.live.connected(), only_ == Only::Changed},
-                              {word("Unlike the file"), [this] { only_ = only_ == Only::UnlikeFile ? Only::All : Only::UnlikeFile, search(); }, Sign::None, file_ != nullptr, only_ == Only::UnlikeFile},
+                              {word("Differs from file"), [this] { only_ = only_ == Only::UnlikeFile ? Only::All : Only::UnlikeFile, search(); }, Sign::None, file_ != nullptr, only_ == Only::UnlikeFile},
                               {word("Input"), [this] { pad_->enter(false); }, Sign::None, ready},
                               {word("+ Input"), [this] { pad_->enter(true); }, Sign::None, ready},
                               {word("Default value"), [this] { if (const Line* now = chosen()) put(*now, now->row->default_number(now->element)); }, Sign::None,

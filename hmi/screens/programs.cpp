@@ -249,7 +249,7 @@ void Programs::composeFaults(Writer& w, const QRectF& box) {
         y += px(25);
     };
     if (!dry_.failure().isEmpty()) return line(Sign::Alarm, t.bad, dry_.failure());
-    if (dry_.running()) return line(Sign::Wait, t.wait, dry_.how() == DryRun::How::Check ? word("The programs are being read") : word("The job is being driven in virtual time"));
+    if (dry_.running()) return line(Sign::Wait, t.wait, dry_.how() == DryRun::How::Check ? word("The programs are being read") : word("The job is being simulated"));
     if (dry_.faults().empty()) return line(Sign::Good, t.good, word("No faults found"));
     for (const RunFault& fault : dry_.faults())
         line(fault.error ? Sign::Alarm : Sign::Warning, fault.error ? t.bad : t.warn,
@@ -286,7 +286,7 @@ std::vector<SoftKey> Programs::keys() {
     std::vector<SoftKey> keys{
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
         {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves},
-        {word("Dry run, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves},
+        {word("Simulation, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves},
         {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},

@@ -19,7 +19,7 @@ QString blockText(std::int64_t block) { return block < 0 ? QString::fromUtf8("â€
 }  // namespace
 
 RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), table_(new Table(this)), note_(new FreeSheet(this)), pad_(new NumberPad(this)) {
-    table_->columns = {{word("Channel"), 0.8}, {word("Program"), 2}, {word("It stood at"), 1.1, kRight, true}, {word("Its tool came at"), 1.3, kRight, true}, {word("Restart at"), 1.1, kRight, true}};
+    table_->columns = {{word("Channel"), 0.8}, {word("Program"), 2}, {word("Stopped at"), 1.1, kRight, true}, {word("Last tool call"), 1.3, kRight, true}, {word("Restart at"), 1.1, kRight, true}};
     table_->byCell = true;
     table_->rowUnits = 54;
     table_->textUnits = 18;
@@ -124,7 +124,7 @@ bool RestartPage::key(QKeyEvent* event) { return pad_->key(event) || table_->key
 void RestartPage::addKeys(std::vector<SoftKey>& keys) {
     bool any = false;
     for (const unsigned channel : desk_.live.channels()) any |= at(channel).wanted >= 0;
-    keys.push_back({word("All at their tools"), [this] {
+    keys.push_back({word("All from their last tool call"), [this] {
                         for (const unsigned channel : desk_.live.channels()) at(channel).wanted = toolBlock(at(channel));
                         refresh();
                     }, Sign::Tools, !desk_.live.channels().empty()});

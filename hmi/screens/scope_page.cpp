@@ -33,7 +33,7 @@ QString ofAxis(const QString& title, const AxisConfig& axis) {
 
 ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), traces_(new Table(this)), chooser_(new Table(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("Least"), 1.1, kRight}, {word("Most"), 1.1, kRight}, {word("One division"), 1.1, kRight}, {word("Unit"), 0.9}};
+    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("Min"), 1.1, kRight}, {word("Max"), 1.1, kRight}, {word("Per division"), 1.1, kRight}, {word("Unit"), 0.9}};
     traces_->rowUnits = 26;
     traces_->textUnits = 13.5;
     traces_->rows = [] { return static_cast<int>(kScopeTraces); };
@@ -80,7 +80,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         if (choosing_) w.field(QRectF(px(38), px(2), note_->width() * 0.4, note_->height() - px(4)), search_, word("Choose a signal; type a part of its name"), !search_.isEmpty(), 1);
         else w.data(QRectF(px(38), 0, note_->width() * 0.4, note_->height()), state, lettering(16, true), t.text);
         const double window = kSeconds[static_cast<std::size_t>(base_)];
-        w.text(QRectF(note_->width() * 0.44, 0, note_->width() * 0.2, note_->height()), word("%1 s wide").arg(window), lettering(15), t.dim);
+        w.text(QRectF(note_->width() * 0.44, 0, note_->width() * 0.2, note_->height()), word("Window %1 s").arg(window), lettering(15), t.dim);
         w.data(QRectF(note_->width() * 0.62, 0, note_->width() * 0.38 - px(10), note_->height()), missed_ ? word("Some ticks were missed") : exported_, lettering(14), missed_ ? t.warn : t.dim, kRight);
     };
     note_->onTouched = [this](int) { desk_.ask({word("Signal"), search_, [this](const QString& text) { search_ = text, fillChoices(); }, {}}); };

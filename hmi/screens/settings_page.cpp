@@ -91,7 +91,7 @@ void SettingsPage::change() {
 
 void SettingsPage::addKeys(std::vector<SoftKey>& keys) {
     keys.push_back({word("Change"), [this] { change(); }, Sign::None, chosen() && computer_.whyNot(chosen()->what).isEmpty()});
-    keys.push_back({word("Read again"), [this] { begin(); }, computer_.busy() ? Sign::Wait : Sign::None});
+    keys.push_back({word("Refresh"), [this] { begin(); }, computer_.busy() ? Sign::Wait : Sign::None});
 }
 
 }  // namespace polyturn::hmi

@@ -207,7 +207,7 @@ void System::layOut() {
 void System::composeHead(Writer& w) {
     const Theme& t = theme();
     w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-    w.text(QRectF(px(14), 0, px(210), head_->height()), page_ == Page::Backups ? word("Backups") : page_ == Page::Users ? word("Users") : word("The computer"), lettering(20, true), t.text);
+    w.text(QRectF(px(14), 0, px(210), head_->height()), page_ == Page::Backups ? word("Backups") : page_ == Page::Users ? word("Users") : word("Panel computer"), lettering(20, true), t.text);
     if (page_ == Page::Backups) {
         w.data(QRectF(px(224), 0, head_->width() * 0.42, head_->height()), folder_, lettering(14), t.dim);
         if (!note_.isEmpty()) w.sign(QRectF(head_->width() * 0.66, px(12), px(22), px(22)), noteGood_ ? Sign::Good : Sign::Alarm, noteGood_ ? t.good : t.bad);
@@ -242,7 +242,7 @@ void System::refresh() {
 
 std::vector<SoftKey> System::keys() {
     const bool there = desk_.live.connected();
-    std::vector<SoftKey> keys{{word("Backups"), [this] { showPage(Page::Backups); }, Sign::None, true, page_ == Page::Backups}, {word("Users"), [this] { showPage(Page::Users); }, Sign::None, true, page_ == Page::Users}, {word("The computer"), [this] { showPage(Page::Settings); }, Sign::None, true, page_ == Page::Settings}};
+    std::vector<SoftKey> keys{{word("Backups"), [this] { showPage(Page::Backups); }, Sign::None, true, page_ == Page::Backups}, {word("Users"), [this] { showPage(Page::Users); }, Sign::None, true, page_ == Page::Users}, {word("Panel computer"), [this] { showPage(Page::Settings); }, Sign::None, true, page_ == Page::Settings}};
     if (page_ == Page::Settings) return settings_->addKeys(keys), keys;
     if (page_ == Page::Backups) {
         const bool file = !chosenFile().isEmpty();

@@ -27,7 +27,7 @@ public:
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 3; }
-    HelpTopic help() const override { return {"setup.md", page_ == Page::Settings ? QString("9. The computer") : page_ == Page::Users ? QString("8. Users") : QString("7. Backup and restore"), {}}; }
+    HelpTopic help() const override { return {"setup.md", page_ == Page::Settings ? QString("9. Panel computer") : page_ == Page::Users ? QString("8. Users") : QString("7. Backup and restore"), {}}; }
     void turnTo(int page) override { showPage(static_cast<Page>(page)); }
 
     enum class Page : std::uint8_t { Backups, Users, Settings };

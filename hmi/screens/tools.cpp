@@ -305,7 +305,7 @@ void Tools::composeDetail(Writer& w) {
     w.fill(QRectF(0, 0, wide, high), t.card, px(8));
     if (page_ == Page::Life) {
         w.sign(QRectF(px(14), px(21), px(26), px(26)), firstToStop_.isEmpty() ? Sign::Note : Sign::Warning, firstToStop_.isEmpty() ? t.dim : t.warn);
-        Item& item = w.text(QRectF(px(52), px(6), wide - px(64), high - px(12)), firstToStop_.isEmpty() ? word("No forecast yet: it begins when parts have been made with tools whose life is watched.") : firstToStop_, lettering(16), t.text);
+        Item& item = w.text(QRectF(px(52), px(6), wide - px(64), high - px(12)), firstToStop_.isEmpty() ? word("No forecast yet: it begins when parts have been made with tools whose life is monitored.") : firstToStop_, lettering(16), t.text);
         item.wraps = true, item.data = !firstToStop_.isEmpty();
         return;
     }

@@ -19,8 +19,8 @@ constexpr Shown kShown[] = {{"name", WORD("Name"), ""},
                             {"duplo", WORD("Order among sisters"), ""},
                             {"kind", WORD("Kind: 500 roughing, 510 finishing, 200 drill ..."), ""},
                             {"h", WORD("Offset number"), ""},
-                            {"life_kind", WORD("What its life counts"), ""},
-                            {"life", WORD("Life, 0 is not watched"), "life"},
+                            {"life_kind", WORD("Life measured in"), ""},
+                            {"life", WORD("Tool life (0: not monitored)"), "life"},
                             {"counter", WORD("Used up"), "life"},
                             {"warning", WORD("So much left is a warning"), "life"},
                             {"enabled", WORD("May be used"), ""},
@@ -124,7 +124,7 @@ void Tools::fillLife() {
             case 3: {
                 Table::Cell cell{lifeText(*tool), lifeColour(*tool)};
                 cell.bar = lifeLeft(*tool);
-                return cell.bar < 0 ? Table::Cell{word("not watched"), t.dim} : cell;
+                return cell.bar < 0 ? Table::Cell{word("not monitored"), t.dim} : cell;
             }
             case 4: {
                 const StateWords state = toolWords(*tool);
@@ -185,8 +185,8 @@ void Tools::composeSide(Writer& w) {
     w.fill(QRectF(0, 0, wide, high), t.card, px(8));
     QString words;
     if (page_ == Page::Pallets) words = word("The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.");
-    else if (textField()) words = word("Type, Enter takes it over.");
-    else if (pad_->field && pad_->field()) words = word("Type a number, or touch it; Input takes it over.");
+    else if (textField()) words = word("Type, then Enter.");
+    else if (pad_->field && pad_->field()) words = word("Type a number or touch it, then Input.");
     else words = word("Enter, or a second touch, changes it.");
     Item& item = w.text(QRectF(px(14), px(10), wide - px(28), high - px(20)), words, lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
     item.wraps = true;

@@ -119,11 +119,6 @@
         <translation>%1 s po startu řízení</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>%1 s wide</source>
-        <translation>šířka %1 s</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 stojí v %2</translation>
@@ -264,6 +259,11 @@
         <translation>Přijmout návrh</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Active</source>
+        <translation>Aktivní</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Active alarms</source>
         <translation>Aktivní</translation>
@@ -314,14 +314,14 @@
         <translation>Alarmy</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>All at their tools</source>
-        <translation>Vše od nástrojů</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Pojedou všechny osy: stiskněte znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All from their last tool call</source>
+        <translation>Vše od volání nástroje</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -412,11 +412,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Arc G3</source>
         <translation>Oblouk G3</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>As held</source>
-        <translation>Při stisku</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -572,11 +567,6 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Zlomený</translation>
-    </message>
-    <message>
-        <location filename="../machine/stop_book.cpp"/>
-        <source>Broken off</source>
-        <translation>Přerušeno</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -794,6 +784,11 @@
         <translation>Doba výpočtu taktů</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Continuous</source>
+        <translation>Plynule</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontura</translation>
@@ -877,11 +872,6 @@
         <location filename="../machine/computer_settings.cpp"/>
         <source>Date and time</source>
         <translation>Datum a čas</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Datum</source>
-        <translation>Údaj</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1014,6 +1004,11 @@
         <translation>Rozdílů: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Differs from file</source>
+        <translation>Jiné než soubor</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Rozměr</translation>
@@ -1097,11 +1092,6 @@
         <location filename="../screens/overview.cpp"/>
         <source>Dry run %1</source>
         <translation>Chod naprázdno %1</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs.cpp"/>
-        <source>Dry run, timeline</source>
-        <translation>Zkušební běh, osa</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1439,6 +1429,11 @@
         <translation>Posuv</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Field</source>
+        <translation>Údaj</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Soubory</translation>
@@ -1584,14 +1579,14 @@
         <translation>Dát tuto úroveň</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Given</source>
+        <translation>Zadáno</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Vrací se na vlastní místo</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Goes on</source>
-        <translation>Dále</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1627,6 +1622,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Kolečko</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Handwheel offset</source>
+        <translation>Posun kolečkem</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1697,6 +1697,16 @@
         <location filename="../screens/tools.cpp"/>
         <source>In this magazine</source>
         <translation>V tomto zásobníku</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in X (radius)</source>
+        <translation>Přírůstek v X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in Z</source>
+        <translation>Přírůstek v Z</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1774,11 +1784,6 @@
         <translation>Právě běží: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It stood at</source>
-        <translation>Stál na</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>Bloky byly změněny ručně: zápis je nahradí.</translation>
@@ -1797,11 +1802,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Údaje si odporují, nebo jim nic nevyhovuje.</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Its tool came at</source>
-        <translation>Nástroj přišel v</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1919,6 +1919,11 @@
         <translation>Poslední blok kontury</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Last tool call</source>
+        <translation>Volání nástroje</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Later</source>
         <translation>Později</translation>
@@ -1947,11 +1952,6 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Stoupání; záporné: levý závit</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Least</source>
-        <translation>Nejméně</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2009,14 +2009,14 @@
         <translation>Zbývá životnosti</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life measured in</source>
+        <translation>Jednotka životnosti</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Life nearly over</source>
         <translation>Životnost končí</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>Life, 0 is not watched</source>
-        <translation>Životnost, 0 nesleduje se</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2179,6 +2179,21 @@
         <translation>Ruční kolečko</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Mark</source>
+        <translation>Označit</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Marked: %1</source>
+        <translation>Označeno: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>May be used</source>
         <translation>Smí se použít</translation>
@@ -2224,14 +2239,14 @@
         <translation>Zpráva</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Min</source>
+        <translation>Min.</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>More</source>
         <translation>Další</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Most</source>
-        <translation>Nejvíce</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -2309,19 +2324,24 @@
         <translation>Nový uživatel</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next difference</source>
+        <translation>Další rozdíl</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Další chyba</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Next page</source>
+        <translation>Další strana</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next part</source>
         <translation>Další část</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Next place</source>
-        <translation>Další místo</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2330,18 +2350,23 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm and no message is known yet.</source>
-        <translation>Zatím není znám žádný alarm ani zpráva.</translation>
+        <source>No active alarms.</source>
+        <translation>Žádné aktivní alarmy.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm stands.</source>
-        <translation>Žádný alarm netrvá.</translation>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Zatím není znám žádný alarm ani zpráva.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>No block is entered</source>
         <translation>Není zadána žádná věta</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>No changes recorded.</source>
+        <translation>Žádné zaznamenané změny.</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2370,7 +2395,7 @@
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
-        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is monitored.</source>
         <translation>Výhled ještě není: začne, až budou díly vyrobeny nástroji se sledovanou životností.</translation>
     </message>
     <message>
@@ -2437,11 +2462,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>Č.</translation>
-    </message>
-    <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Nobody has changed it since the store was begun.</source>
-        <translation>Od založení úložiště ji nikdo nezměnil.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2562,11 +2582,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Korekce</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>One division</source>
-        <translation>Dílek</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2729,6 +2744,11 @@
         <translation>Palety</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Panel computer</source>
+        <translation>Počítač</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
@@ -2794,6 +2814,11 @@
         <translation>Po dráze zpět %1</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Paths since these screens started; tips drawn as points</source>
+        <translation>Dráhy od startu obrazovek; špičky jako body</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Pattern menu</source>
         <translation>Menu vzorů</translation>
@@ -2807,6 +2832,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Přerušované zapichování v Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Per division</source>
+        <translation>Dílek</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2827,11 +2857,6 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Místo</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Place before</source>
-        <translation>Předchozí místo</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2917,6 +2942,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Presetter</source>
         <translation>Předseřízení</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Previous difference</source>
+        <translation>Předchozí rozdíl</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -3054,11 +3084,6 @@
         <translation>Rychlop.</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Read again</source>
-        <translation>Načíst znovu</translation>
-    </message>
-    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Ready</source>
         <translation>Připravený</translation>
@@ -3107,6 +3132,11 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Vztažná rovina: povrch</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Refresh</source>
+        <translation>Načíst znovu</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3172,6 +3202,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Replaces the one that is here: press again</source>
         <translation>Nahradí zdejší: stiskněte znovu</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Required tools</source>
+        <translation>Potřebné nástroje</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3449,6 +3484,11 @@
         <translation>Simulace</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Simulation, timeline</source>
+        <translation>Simulace, osa</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Simulation: %1 of %2</source>
         <translation>Simulace: %1 z %2</translation>
@@ -3457,11 +3497,6 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>Od</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>Since the start of these screens; tips as points, without width and radius</source>
-        <translation>Od startu obrazovek; špičky jako body, bez šířky a rádiusu</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3522,6 +3557,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>So much left is a warning</source>
         <translation>Varovat při zbytku</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Solid outline: monitored; dashed: drawn only</source>
+        <translation>Plný obrys: hlídáno; čárkovaný: jen nakresleno</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3694,6 +3734,11 @@
         <translation>Zastaven</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Stopped at</source>
+        <translation>Zastavil na</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Stopped: %1</source>
         <translation>Zastaveno: %1</translation>
@@ -3754,19 +3799,9 @@
         <translation>Zóna koníku L%1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Take</source>
-        <translation>Vzít</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Taken: %1</source>
-        <translation>Vzato: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
-        <source>Tangential to the one before: 1</source>
-        <translation>Tečně k předchozímu: 1</translation>
+        <source>Tangential to the one before (1: yes)</source>
+        <translation>Tečně k předchozímu (1: ano)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3844,11 +3879,6 @@
         <translation>Program běží, osy stojí: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
-        <source>The computer</source>
-        <translation>Počítač</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Kontura je úplná.</translation>
@@ -3885,8 +3915,8 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
-        <source>The job is being driven in virtual time</source>
-        <translation>Zakázka běží ve virtuálním čase</translation>
+        <source>The job is being simulated</source>
+        <translation>Zakázka se simuluje</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3907,11 +3937,6 @@
         <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Předchozí program se ještě zapisuje.</translation>
-    </message>
-    <message>
-        <location filename="../screens/compensation_page.cpp"/>
-        <source>The machine works with it</source>
-        <translation>Stroj s tím pracuje</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
@@ -4294,6 +4319,11 @@
         <translation>Data nástroje</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool life (0: not monitored)</source>
+        <translation>Životnost (0: nesleduje se)</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tool offsets</source>
         <translation>Korekce nástrojů</translation>
@@ -4312,11 +4342,6 @@
         <location filename="../screens/tools.hpp"/>
         <source>Tools</source>
         <translation>Nástroje</translation>
-    </message>
-    <message>
-        <location filename="../machine/setup_sheet.cpp"/>
-        <source>Tools that it needs</source>
-        <translation>Potřebné nástroje</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4410,8 +4435,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type a number, or touch it; Input takes it over.</source>
-        <translation>Napište číslo nebo se ho dotkněte; «Vložit» ho převezme.</translation>
+        <source>Type a number or touch it, then Input.</source>
+        <translation>Napište číslo nebo se ho dotkněte, pak «Vložit».</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4425,8 +4450,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type, Enter takes it over.</source>
-        <translation>Napište, Enter převezme.</translation>
+        <source>Type, then Enter.</source>
+        <translation>Napište, pak Enter.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4447,11 +4472,6 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Jednotka</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>Unlike the file</source>
-        <translation>Jiné než soubor</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -4559,16 +4579,6 @@
         <translation>Požadováno</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along X (radius)</source>
-        <translation>Dráha v X (poloměr)</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along Z</source>
-        <translation>Dráha v Z</translation>
-    </message>
-    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Návrat po každém kroku</translation>
@@ -4604,19 +4614,9 @@
         <translation>Co</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>What is told</source>
-        <translation>Co je zadáno</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>What it does</source>
         <translation>Co dělá</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>What its life counts</source>
-        <translation>Co počítá životnost</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -4627,11 +4627,6 @@
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Co by se změnilo</translation>
-    </message>
-    <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>Wheel in program</source>
-        <translation>Kolečko v programu</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4659,9 +4654,9 @@
         <translation>Celý stroj</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
-        <source>Whole outline: guarded; broken outline: only drawn</source>
-        <translation>Plný obrys: hlídáno; čárkovaný: jen nakresleno</translation>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Window %1 s</source>
+        <translation>Okno %1 s</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4777,21 +4772,6 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>značce</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts after a restart of the controller</source>
-        <translation>působí po restartu řízení</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at once</source>
-        <translation>působí ihned</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at the channel's next stop of reading</source>
-        <translation>působí při dalším zastavení čtení</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -5304,6 +5284,11 @@
         <translation>neměřeno</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not monitored</source>
+        <translation>nesleduje se</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>bez reference</translation>
@@ -5312,11 +5297,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>není to tento</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>not watched</source>
-        <translation>nesleduje se</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -5539,6 +5519,21 @@
         <translation>zapněte jej</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect after a restart of the controller</source>
+        <translation>působí po restartu řízení</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at once</source>
+        <translation>působí ihned</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at the next preprocessing stop</source>
+        <translation>působí od příštího zastavení předzpracování</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>tyč je spotřebována</translation>
@@ -5739,14 +5734,14 @@
         <translation>ano</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Mark» chooses what is copied or compared</source>
+        <translation>«Označit» zvolí, co kopírovat nebo porovnat</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibruje kolík.</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>«Take» chooses what is copied or compared</source>
-        <translation>«Vzít» zvolí, co kopírovat nebo porovnat</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

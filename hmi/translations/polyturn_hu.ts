@@ -119,11 +119,6 @@
         <translation>%1 s a vezérlő indulása után</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>%1 s wide</source>
-        <translation>%1 s széles</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 itt áll: %2</translation>
@@ -264,6 +259,11 @@
         <translation>Elfogadás</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Active</source>
+        <translation>Aktív</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Active alarms</source>
         <translation>Aktív riasztások</translation>
@@ -314,14 +314,14 @@
         <translation>Riasztások</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>All at their tools</source>
-        <translation>Mind a szerszámtól</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Minden tengely mozog: nyomja meg újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All from their last tool call</source>
+        <translation>Mind a szerszámhívástól</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -412,11 +412,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Arc G3</source>
         <translation>Ív G3</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>As held</source>
-        <translation>Amíg nyomva</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -572,11 +567,6 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Törött</translation>
-    </message>
-    <message>
-        <location filename="../machine/stop_book.cpp"/>
-        <source>Broken off</source>
-        <translation>Megszakítva</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -794,6 +784,11 @@
         <translation>Ütemek számítási ideje</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Continuous</source>
+        <translation>Folyamatos</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontúr</translation>
@@ -877,11 +872,6 @@
         <location filename="../machine/computer_settings.cpp"/>
         <source>Date and time</source>
         <translation>Dátum és idő</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Datum</source>
-        <translation>Adat</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1014,6 +1004,11 @@
         <translation>Eltérések: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Differs from file</source>
+        <translation>Fájltól eltérő</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Méret</translation>
@@ -1097,11 +1092,6 @@
         <location filename="../screens/overview.cpp"/>
         <source>Dry run %1</source>
         <translation>Próbafutás %1</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs.cpp"/>
-        <source>Dry run, timeline</source>
-        <translation>Próbafutás, idővonal</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1439,6 +1429,11 @@
         <translation>Előtolás</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Field</source>
+        <translation>Adat</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Fájlok</translation>
@@ -1584,14 +1579,14 @@
         <translation>Szint megadása</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Given</source>
+        <translation>Megadva</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Visszatér a saját helyére</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Goes on</source>
-        <translation>Tovább</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1627,6 +1622,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Kézikerék</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Handwheel offset</source>
+        <translation>Kézikerekes eltolás</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1697,6 +1697,16 @@
         <location filename="../screens/tools.cpp"/>
         <source>In this magazine</source>
         <translation>Ebben a tárban</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in X (radius)</source>
+        <translation>Növekmény X-ben (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in Z</source>
+        <translation>Növekmény Z-ben</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1774,11 +1784,6 @@
         <translation>Most fut: újra</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It stood at</source>
-        <translation>Itt állt</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>A mondatokat kézzel módosították: az írás lecseréli őket.</translation>
@@ -1797,11 +1802,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Az adatok ellentmondanak, vagy semmi sem illik rájuk.</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Its tool came at</source>
-        <translation>A szerszám itt jött</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1919,6 +1919,11 @@
         <translation>A kontúr utolsó mondata</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Last tool call</source>
+        <translation>Szerszámhívás</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Later</source>
         <translation>Később</translation>
@@ -1947,11 +1952,6 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Emelkedés; negatív: bal menet</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Least</source>
-        <translation>Legkisebb</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2009,14 +2009,14 @@
         <translation>Hátralévő élet</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life measured in</source>
+        <translation>Élettartam egysége</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Life nearly over</source>
         <translation>Élettartam fogy</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>Life, 0 is not watched</source>
-        <translation>Élettartam, 0: nem figyelt</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2179,6 +2179,21 @@
         <translation>Kézikerék</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Mark</source>
+        <translation>Kijelölés</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Marked: %1</source>
+        <translation>Kijelölve: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>May be used</source>
         <translation>Használható</translation>
@@ -2224,14 +2239,14 @@
         <translation>Üzenet</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Min</source>
+        <translation>Min.</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>More</source>
         <translation>Tovább</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Most</source>
-        <translation>Legnagyobb</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -2309,19 +2324,24 @@
         <translation>Új felhasználó</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next difference</source>
+        <translation>Következő eltérés</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Következő hiba</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Next page</source>
+        <translation>Következő oldal</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next part</source>
         <translation>Következő rész</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Next place</source>
-        <translation>Következő hely</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2330,18 +2350,23 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm and no message is known yet.</source>
-        <translation>Még nem volt riasztás vagy üzenet.</translation>
+        <source>No active alarms.</source>
+        <translation>Nincs aktív riasztás.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm stands.</source>
-        <translation>Nincs fennálló riasztás.</translation>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Még nem volt riasztás vagy üzenet.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>No block is entered</source>
         <translation>Nincs beírva mondat</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>No changes recorded.</source>
+        <translation>Nincs rögzített változás.</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2370,7 +2395,7 @@
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
-        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is monitored.</source>
         <translation>Még nincs előrejelzés: akkor kezdődik, ha figyelt élettartamú szerszámmal készült darab.</translation>
     </message>
     <message>
@@ -2437,11 +2462,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>Sz.</translation>
-    </message>
-    <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Nobody has changed it since the store was begun.</source>
-        <translation>A napló kezdete óta senki sem változtatta.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2562,11 +2582,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Korrekciók</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>One division</source>
-        <translation>Egy osztás</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2729,6 +2744,11 @@
         <translation>Paletták</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Panel computer</source>
+        <translation>Számítógép</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Paraméterek</translation>
@@ -2794,6 +2814,11 @@
         <translation>Pályán vissza %1</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Paths since these screens started; tips drawn as points</source>
+        <translation>Pályák a képernyők indítása óta; csúcsok pontként</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Pattern menu</source>
         <translation>Mintamenü</translation>
@@ -2807,6 +2832,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Lépéses beszúrás Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Per division</source>
+        <translation>Egy osztás</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2827,11 +2857,6 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Hely</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Place before</source>
-        <translation>Előző hely</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2917,6 +2942,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Presetter</source>
         <translation>Bemérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Previous difference</source>
+        <translation>Előző eltérés</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -3054,11 +3084,6 @@
         <translation>Gyors</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Read again</source>
-        <translation>Újraolvasás</translation>
-    </message>
-    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Ready</source>
         <translation>Üzemkész</translation>
@@ -3107,6 +3132,11 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Vonatkoztatási sík: a felület</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Refresh</source>
+        <translation>Frissítés</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3172,6 +3202,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Replaces the one that is here: press again</source>
         <translation>Az ittenit felülírja: nyomja újra</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Required tools</source>
+        <translation>Szükséges szerszámok</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3449,6 +3484,11 @@
         <translation>Szimuláció</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Simulation, timeline</source>
+        <translation>Szimuláció, idővonal</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Simulation: %1 of %2</source>
         <translation>Szimuláció: %1 / %2</translation>
@@ -3457,11 +3497,6 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>Mióta</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>Since the start of these screens; tips as points, without width and radius</source>
-        <translation>A képernyők indítása óta; csúcsok pontként, szélesség és sugár nélkül</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3522,6 +3557,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>So much left is a warning</source>
         <translation>Ennyi maradéknál figyelmeztet</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Solid outline: monitored; dashed: drawn only</source>
+        <translation>Folytonos körvonal: védett; szaggatott: csak rajz</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3694,6 +3734,11 @@
         <translation>Megállt</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Stopped at</source>
+        <translation>Megállás helye</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Stopped: %1</source>
         <translation>Leállítva: %1</translation>
@@ -3754,19 +3799,9 @@
         <translation>Szegnyeregzóna L%1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Take</source>
-        <translation>Felvesz</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Taken: %1</source>
-        <translation>Felvéve: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
-        <source>Tangential to the one before: 1</source>
-        <translation>Érintő az előzőhöz: 1</translation>
+        <source>Tangential to the one before (1: yes)</source>
+        <translation>Érintő az előzőhöz (1: igen)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3844,11 +3879,6 @@
         <translation>A program fut, a tengelyek állnak: újra</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
-        <source>The computer</source>
-        <translation>Számítógép</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>A kontúr teljes.</translation>
@@ -3885,8 +3915,8 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
-        <source>The job is being driven in virtual time</source>
-        <translation>A munka virtuális időben fut</translation>
+        <source>The job is being simulated</source>
+        <translation>A munka szimulációja fut</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3907,11 +3937,6 @@
         <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Az előző program írása még folyik.</translation>
-    </message>
-    <message>
-        <location filename="../screens/compensation_page.cpp"/>
-        <source>The machine works with it</source>
-        <translation>A gép ezzel dolgozik</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
@@ -4294,6 +4319,11 @@
         <translation>Adatok</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool life (0: not monitored)</source>
+        <translation>Élettartam (0: nem figyelt)</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tool offsets</source>
         <translation>Korrekciók</translation>
@@ -4312,11 +4342,6 @@
         <location filename="../screens/tools.hpp"/>
         <source>Tools</source>
         <translation>Szerszámok</translation>
-    </message>
-    <message>
-        <location filename="../machine/setup_sheet.cpp"/>
-        <source>Tools that it needs</source>
-        <translation>Szükséges szerszámok</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4410,8 +4435,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type a number, or touch it; Input takes it over.</source>
-        <translation>Írja be vagy érintse a számot; a «Bevitel» átveszi.</translation>
+        <source>Type a number or touch it, then Input.</source>
+        <translation>Írja be vagy érintse a számot, majd «Bevitel».</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4425,8 +4450,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type, Enter takes it over.</source>
-        <translation>Írja be, az Enter átveszi.</translation>
+        <source>Type, then Enter.</source>
+        <translation>Írja be, majd Enter.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4447,11 +4472,6 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Egység</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>Unlike the file</source>
-        <translation>Fájltól eltérő</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -4559,16 +4579,6 @@
         <translation>Kívánt</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along X (radius)</source>
-        <translation>Út X mentén (sugár)</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along Z</source>
-        <translation>Út Z mentén</translation>
-    </message>
-    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Visszahúzás lépésenként</translation>
@@ -4604,19 +4614,9 @@
         <translation>Mi</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>What is told</source>
-        <translation>Ami adott</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>What it does</source>
         <translation>Mit csinál</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>What its life counts</source>
-        <translation>Mit számol az élettartam</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -4627,11 +4627,6 @@
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Mi változna</translation>
-    </message>
-    <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>Wheel in program</source>
-        <translation>Kézikerék menet közben</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4659,9 +4654,9 @@
         <translation>Egész gép</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
-        <source>Whole outline: guarded; broken outline: only drawn</source>
-        <translation>Folytonos körvonal: védett; szaggatott: csak rajz</translation>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Window %1 s</source>
+        <translation>Ablak: %1 s</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4777,21 +4772,6 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>jelölő</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts after a restart of the controller</source>
-        <translation>a vezérlő újraindítása után hat</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at once</source>
-        <translation>azonnal hat</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at the channel's next stop of reading</source>
-        <translation>a csatorna következő olvasási megállásánál hat</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -5304,6 +5284,11 @@
         <translation>nem mért</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not monitored</source>
+        <translation>nem figyelt</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>nincs referencia</translation>
@@ -5312,11 +5297,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>nem ez</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>not watched</source>
-        <translation>nem figyelt</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -5539,6 +5519,21 @@
         <translation>kapcsolja be</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect after a restart of the controller</source>
+        <translation>a vezérlő újraindítása után hat</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at once</source>
+        <translation>azonnal hat</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at the next preprocessing stop</source>
+        <translation>a következő előfeldolgozási megállásnál hat</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>elfogyott a rúd</translation>
@@ -5739,14 +5734,14 @@
         <translation>igen</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Mark» chooses what is copied or compared</source>
+        <translation>A «Kijelölés» választja ki a másolandót vagy hasonlítandót</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>A «Mérés» megkeresi a csúcsot, és megmutatja, mi kerülne be. Előbb kalibrálja a kamerát a mérőcsappal.</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>«Take» chooses what is copied or compared</source>
-        <translation>A «Felvesz» választja ki a másolandót vagy hasonlítandót</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

@@ -119,11 +119,6 @@
         <translation>через %1 с после запуска УЧПУ</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>%1 s wide</source>
-        <translation>ширина %1 с</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 стоит в %2</translation>
@@ -264,6 +259,11 @@
         <translation>Принять</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Active</source>
+        <translation>Действует</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Active alarms</source>
         <translation>Активные</translation>
@@ -314,14 +314,14 @@
         <translation>Аварии</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>All at their tools</source>
-        <translation>Все от инструмента</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Все оси поедут: нажмите ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All from their last tool call</source>
+        <translation>Все с вызова инструмента</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -412,11 +412,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Arc G3</source>
         <translation>Дуга G3</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>As held</source>
-        <translation>Пока нажата</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -572,11 +567,6 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Сломан</translation>
-    </message>
-    <message>
-        <location filename="../machine/stop_book.cpp"/>
-        <source>Broken off</source>
-        <translation>Прервано</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -794,6 +784,11 @@
         <translation>Время счёта тактов</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Continuous</source>
+        <translation>Непрерывно</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Контур</translation>
@@ -877,11 +872,6 @@
         <location filename="../machine/computer_settings.cpp"/>
         <source>Date and time</source>
         <translation>Дата и время</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Datum</source>
-        <translation>Данное</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1014,6 +1004,11 @@
         <translation>Различий: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Differs from file</source>
+        <translation>Отличие от файла</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Размер</translation>
@@ -1097,11 +1092,6 @@
         <location filename="../screens/overview.cpp"/>
         <source>Dry run %1</source>
         <translation>Пробный прогон %1</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs.cpp"/>
-        <source>Dry run, timeline</source>
-        <translation>Прогон, шкала</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -1439,6 +1429,11 @@
         <translation>Подача</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Field</source>
+        <translation>Поле</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Файлы</translation>
@@ -1584,14 +1579,14 @@
         <translation>Дать уровень</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Given</source>
+        <translation>Задано</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Возвращается на своё место</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Goes on</source>
-        <translation>Дальше</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1627,6 +1622,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Маховичок</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Handwheel offset</source>
+        <translation>Смещение маховичком</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1697,6 +1697,16 @@
         <location filename="../screens/tools.cpp"/>
         <source>In this magazine</source>
         <translation>В этом магазине</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in X (radius)</source>
+        <translation>Приращение по X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Increment in Z</source>
+        <translation>Приращение по Z</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1774,11 +1784,6 @@
         <translation>Она работает: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It stood at</source>
-        <translation>Стояла на</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>Кадры изменены вручную: запись их заменит.</translation>
@@ -1797,11 +1802,6 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Данные противоречат друг другу или им ничто не подходит.</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Its tool came at</source>
-        <translation>Инструмент вызван в</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1919,6 +1919,11 @@
         <translation>Последний кадр контура</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Last tool call</source>
+        <translation>Вызов инструмента</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Later</source>
         <translation>Позже</translation>
@@ -1947,11 +1952,6 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Шаг; отрицательный: левая резьба</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Least</source>
-        <translation>Мин.</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2009,14 +2009,14 @@
         <translation>Остаток ресурса</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life measured in</source>
+        <translation>Единица ресурса</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Life nearly over</source>
         <translation>Ресурс на исходе</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>Life, 0 is not watched</source>
-        <translation>Ресурс, 0 без учёта</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2179,6 +2179,21 @@
         <translation>Маховичок</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Mark</source>
+        <translation>Отметить</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Marked: %1</source>
+        <translation>Отмечено: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Max</source>
+        <translation>Макс.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>May be used</source>
         <translation>Разрешён к работе</translation>
@@ -2224,14 +2239,14 @@
         <translation>Сообщение</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Min</source>
+        <translation>Мин.</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>More</source>
         <translation>Ещё</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>Most</source>
-        <translation>Макс.</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -2309,19 +2324,24 @@
         <translation>Новый</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next difference</source>
+        <translation>Следующее различие</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Следующая ошибка</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Next page</source>
+        <translation>Следующая страница</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Next part</source>
         <translation>Следующая часть</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Next place</source>
-        <translation>Следующее место</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2330,18 +2350,23 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm and no message is known yet.</source>
-        <translation>Аварий и сообщений пока не было.</translation>
+        <source>No active alarms.</source>
+        <translation>Активных аварий нет.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
-        <source>No alarm stands.</source>
-        <translation>Активных аварий нет.</translation>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Аварий и сообщений пока не было.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>No block is entered</source>
         <translation>Кадр не введён</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>No changes recorded.</source>
+        <translation>Записанных изменений нет.</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2370,7 +2395,7 @@
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
-        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is monitored.</source>
         <translation>Прогноза ещё нет: он начнётся, когда детали будут сделаны инструментом с учётом ресурса.</translation>
     </message>
     <message>
@@ -2437,11 +2462,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>№</translation>
-    </message>
-    <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Nobody has changed it since the store was begun.</source>
-        <translation>За всё время записи никто его не менял.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2562,11 +2582,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Коррекции</translation>
-    </message>
-    <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>One division</source>
-        <translation>Деление</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2729,6 +2744,11 @@
         <translation>Паллеты</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Panel computer</source>
+        <translation>Компьютер</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Параметры</translation>
@@ -2794,6 +2814,11 @@
         <translation>По пути назад %1</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Paths since these screens started; tips drawn as points</source>
+        <translation>Пути с запуска этих экранов; вершины показаны точками</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Pattern menu</source>
         <translation>Меню шаблонов</translation>
@@ -2807,6 +2832,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Шаговое врезание вдоль Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Per division</source>
+        <translation>Деление</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2827,11 +2857,6 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
-    </message>
-    <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>Place before</source>
-        <translation>Предыдущее место</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2917,6 +2942,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Presetter</source>
         <translation>Прибор настройки</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Previous difference</source>
+        <translation>Предыдущее различие</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -3054,11 +3084,6 @@
         <translation>Быстро</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Read again</source>
-        <translation>Перечитать</translation>
-    </message>
-    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Ready</source>
         <translation>Готов</translation>
@@ -3107,6 +3132,11 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Базовая плоскость: поверхность</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Refresh</source>
+        <translation>Обновить</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3172,6 +3202,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Replaces the one that is here: press again</source>
         <translation>Заменит здешний: нажмите ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Required tools</source>
+        <translation>Нужные инструменты</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3449,6 +3484,11 @@
         <translation>Моделирование</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Simulation, timeline</source>
+        <translation>Моделирование, шкала</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Simulation: %1 of %2</source>
         <translation>Моделирование: %1 из %2</translation>
@@ -3457,11 +3497,6 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>С</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>Since the start of these screens; tips as points, without width and radius</source>
-        <translation>С запуска экранов; вершины как точки, без ширины и радиуса</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3522,6 +3557,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>So much left is a warning</source>
         <translation>Предупредить при остатке</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Solid outline: monitored; dashed: drawn only</source>
+        <translation>Сплошной контур: под защитой; штриховой: только показано</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3694,6 +3734,11 @@
         <translation>Остановлен</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Stopped at</source>
+        <translation>Останов на</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Stopped: %1</source>
         <translation>Остановлено: %1</translation>
@@ -3754,19 +3799,9 @@
         <translation>Зона задней бабки L%1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Take</source>
-        <translation>Взять</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>Taken: %1</source>
-        <translation>Взято: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
-        <source>Tangential to the one before: 1</source>
-        <translation>Касательно к предыдущему: 1</translation>
+        <source>Tangential to the one before (1: yes)</source>
+        <translation>Касательно к предыдущему (1: да)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3844,11 +3879,6 @@
         <translation>Программа идёт, оси стоят: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
-        <source>The computer</source>
-        <translation>Компьютер</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Контур определён полностью.</translation>
@@ -3885,8 +3915,8 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
-        <source>The job is being driven in virtual time</source>
-        <translation>Задание идёт в виртуальном времени</translation>
+        <source>The job is being simulated</source>
+        <translation>Идёт моделирование задания</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3907,11 +3937,6 @@
         <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Предыдущая программа ещё записывается.</translation>
-    </message>
-    <message>
-        <location filename="../screens/compensation_page.cpp"/>
-        <source>The machine works with it</source>
-        <translation>Станок работает с ним</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
@@ -4294,6 +4319,11 @@
         <translation>Данные</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool life (0: not monitored)</source>
+        <translation>Ресурс (0: без учёта)</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tool offsets</source>
         <translation>Корректоры</translation>
@@ -4312,11 +4342,6 @@
         <location filename="../screens/tools.hpp"/>
         <source>Tools</source>
         <translation>Инструменты</translation>
-    </message>
-    <message>
-        <location filename="../machine/setup_sheet.cpp"/>
-        <source>Tools that it needs</source>
-        <translation>Нужные инструменты</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4410,8 +4435,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type a number, or touch it; Input takes it over.</source>
-        <translation>Наберите или коснитесь числа; «Ввод» примет.</translation>
+        <source>Type a number or touch it, then Input.</source>
+        <translation>Наберите число или коснитесь его, затем «Ввод».</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4425,8 +4450,8 @@
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
-        <source>Type, Enter takes it over.</source>
-        <translation>Наберите, Enter примет.</translation>
+        <source>Type, then Enter.</source>
+        <translation>Наберите, затем Enter.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4447,11 +4472,6 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Единица</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>Unlike the file</source>
-        <translation>Отличие от файла</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -4559,16 +4579,6 @@
         <translation>Нужно</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along X (radius)</source>
-        <translation>Путь по X (радиус)</translation>
-    </message>
-    <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>Way along Z</source>
-        <translation>Путь по Z</translation>
-    </message>
-    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Отвод после каждого шага</translation>
@@ -4604,19 +4614,9 @@
         <translation>Что</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
-        <source>What is told</source>
-        <translation>Что задано</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>What it does</source>
         <translation>Что делает</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>What its life counts</source>
-        <translation>Что считает ресурс</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -4627,11 +4627,6 @@
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Что изменится</translation>
-    </message>
-    <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>Wheel in program</source>
-        <translation>Маховичок в программе</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4659,9 +4654,9 @@
         <translation>Весь станок</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
-        <source>Whole outline: guarded; broken outline: only drawn</source>
-        <translation>Сплошной контур: под защитой; штриховой: только показано</translation>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Window %1 s</source>
+        <translation>Окно %1 с</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4777,21 +4772,6 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>метке</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts after a restart of the controller</source>
-        <translation>действует после перезапуска УЧПУ</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at once</source>
-        <translation>действует сразу</translation>
-    </message>
-    <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>acts at the channel's next stop of reading</source>
-        <translation>действует на следующей остановке чтения</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -5304,6 +5284,11 @@
         <translation>не измерен</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not monitored</source>
+        <translation>без учёта</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>нет выхода в ноль</translation>
@@ -5312,11 +5297,6 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>не этот</translation>
-    </message>
-    <message>
-        <location filename="../screens/tools_tables.cpp"/>
-        <source>not watched</source>
-        <translation>без учёта</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -5539,6 +5519,21 @@
         <translation>включите его</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect after a restart of the controller</source>
+        <translation>действует после перезапуска УЧПУ</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at once</source>
+        <translation>действует сразу</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>takes effect at the next preprocessing stop</source>
+        <translation>действует с останова подготовки кадров</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>пруток закончился</translation>
@@ -5739,14 +5734,14 @@
         <translation>да</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Mark» chooses what is copied or compared</source>
+        <translation>«Отметить» выбирает, что копировать или сравнить</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала откалибруйте камеру по калибру.</translation>
-    </message>
-    <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>«Take» chooses what is copied or compared</source>
-        <translation>«Взять» выбирает, что копировать или сравнить</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

@@ -218,7 +218,7 @@ protected:
 
 TEST_F(FilesByHand, CopyIntoAnotherFolderAndReplaceOnlyAfterASecondPress) {
     hand->soft("Copy, delete ...");
-    hand->soft("Take");
+    hand->soft("Mark");
     choose("server");
     hand->key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return page().where().endsWith("server"); }));
@@ -235,7 +235,7 @@ TEST_F(FilesByHand, CopyIntoAnotherFolderAndReplaceOnlyAfterASecondPress) {
 
 TEST_F(FilesByHand, CompareProtectRenameDelete) {
     hand->soft("Copy, delete ...");
-    hand->soft("Take");
+    hand->soft("Mark");
     choose("b.nc");
     hand->soft("Compare");
     ComparePage& compare = dynamic_cast<Programs&>(*window->screen()).comparePage();

@@ -334,7 +334,7 @@ TEST(DryRuns, AreShownAgainAfterARestart) {
             for (const Item& item : sheet->items()) out << QString("%1 %2 %3 %4 %5").arg(item.text).arg(item.box.x()).arg(item.box.y()).arg(item.box.width()).arg(item.colour.name());
         return out;
     };
-    for (const char* page : {"Dry run, timeline", "Check, waits"}) {
+    for (const char* page : {"Simulation, timeline", "Check, waits"}) {
         QStringList was;
         {
             MainWindow window(choices);

@@ -44,7 +44,7 @@ struct OpenPage {
 
 // From the beginning, and from a place in the middle: what stands above is then laid before what is there.
 TEST(HelpView, CommandsAndHeadingsStandByThemselves) {
-    for (const HelpTopic& topic : {HelpTopic{"setup.md", {}, {}}, HelpTopic{"setup.md", "The computer", {}}, HelpTopic{"setup.ru.md", "Компьютер", {}}, HelpTopic{"builder.md", "Part transfer", {}}}) {
+    for (const HelpTopic& topic : {HelpTopic{"setup.md", {}, {}}, HelpTopic{"setup.md", "Panel computer", {}}, HelpTopic{"setup.ru.md", "Компьютер", {}}, HelpTopic{"builder.md", "Part transfer", {}}}) {
         SCOPED_TRACE((topic.page + " " + topic.find).toStdString());
         PageParts wanted = partsOf(topic.page);
         ASSERT_GT(wanted.code.size(), 20u);

@@ -98,7 +98,7 @@ TEST_F(JobLanguage, ALongSheetIsTurned) {
     choose("long.job.toml");
     Operator hand(*window);
     hand.screen("programs");
-    ASSERT_TRUE(waitFor([&] { return shown("Goes on") && shown("X 501.000"); }));
+    ASSERT_TRUE(waitFor([&] { return shown("Next page") && shown("X 501.000"); }));
     EXPECT_FALSE(shown("X 560.000"));
     int turns = 0;
     while (!shown("X 560.000") && turns < 20) hand.key(Qt::Key_Right), ++turns;
@@ -173,7 +173,7 @@ TEST_F(JobLanguage, AProgramAloneIsCheckedInTheChannelOfTheKeys) {
     hand.screen("programs");
     hand.soft("Edit");
     ASSERT_TRUE(waitFor([&] { return programs.editor().file() == folder.filePath("O7.nc") && !programs.editor().opening(); }));
-    hand.soft("Dry run, timeline");
+    hand.soft("Simulation, timeline");
     ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }));
     EXPECT_EQ(programs.dryRun().job(), folder.filePath("O7.nc"));
     EXPECT_TRUE(programs.dryRun().channels().contains(2));

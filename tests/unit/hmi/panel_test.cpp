@@ -155,7 +155,7 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     qputenv("PATH", folder.path().toUtf8() + ":/bin:/usr/bin");
     Operator hand(*window);
     hand.screen("system");
-    hand.soft("The computer");
+    hand.soft("Panel computer");
     SettingsPage& page = screenOf<System>().settings();
     using What = ComputerSetting::What;
     ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }));
@@ -234,7 +234,7 @@ TEST_F(PanelTasks, AParameterTellsWhoChangedItAndWhatTheFileHas) {
     ASSERT_TRUE(set("N0304 A2=23000") && set("N0304 A2=23500"));
     screen.find("N0304");
     ASSERT_TRUE(waitFor([&] { return screen.table().rows() >= 4; }));
-    hand.soft("Unlike the file");
+    hand.soft("Differs from file");
     ASSERT_TRUE(waitFor([&] { return screen.table().rows() == 1; })) << screen.table().rows();
     hand.soft("History");
     ASSERT_TRUE(waitFor([&] { return screen.changes() == 2; })) << screen.changes();

@@ -213,7 +213,7 @@ TEST_F(Tasks, RestartAfterABrokenTool) {
     hand.screen("programs");
     Programs& programs = screenOf<Programs>();
     hand.soft("Restart in the middle");
-    hand.soft("All at their tools");
+    hand.soft("All from their last tool call");
     EXPECT_EQ(programs.restartPage().wanted(1), 20);
     EXPECT_EQ(programs.restartPage().wanted(2), 20);
     hand.soft("Restart");
