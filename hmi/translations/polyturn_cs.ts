@@ -124,6 +124,11 @@
         <translation>%1 stojí v %2</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 too long</source>
+        <translation>příliš dlouhých: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 na nikoho nečeká, nikdo na něj: stiskněte znovu</translation>
@@ -2100,8 +2105,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Nejdelší čekání: L%1 stojí %2 s na %3 (řádek %4). Práce přesunutá z posledního kanálu na L%1 ušetří až tento čas.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4).</source>
+        <translation>Nejdelší čekání: L%1 stojí %2 s na %3 (řádek %4).</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2412,6 +2417,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Žádný parametr to nemá v čísle, názvu ani významu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>No part transfer is set up on this machine: its channels choose no counter spindle.</source>
+        <translation>Předání dílu není na tomto stroji nastaveno: jeho kanály nevolí protivřeteno.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4134,11 +4144,6 @@
         <translation>Tento jazyk nemá cykly.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>This machine has no counter spindle.</source>
-        <translation>Tento stroj nemá protivřeteno.</translation>
-    </message>
-    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>Tento stroj nemá zásobník: popisují ho PT_TURRET_MAGAZINE a N2905 až N2922.</translation>
@@ -4375,8 +4380,8 @@
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on.</source>
-        <translation>Dotyky a klávesy nefungují. Stroj běží dál.</translation>
+        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
+        <translation>Dotyky a klávesy nic nedělají. Stroj pokračuje. Uvolní se sám za %1 s.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4684,6 +4689,11 @@
         <translation>Ruční práce</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Work moved from L%1 to L%2 saves up to %3 s.</source>
+        <translation>Práce přesunutá z L%1 na L%2 ušetří až %3 s.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Posunutí</translation>
@@ -4699,7 +4709,7 @@
         <translation>Pracovní prostor</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Workpiece</source>
         <translation>Obrobek</translation>
     </message>
@@ -4969,7 +4979,7 @@
         <translation>vrták</translation>
     </message>
     <message>
-        <location filename="../widgets/magazine.cpp"/>
+        <location filename="../screens/tools.cpp"/>
         <source>empty</source>
         <translation>prázdné</translation>
     </message>

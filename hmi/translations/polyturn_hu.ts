@@ -124,6 +124,11 @@
         <translation>%1 itt áll: %2</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 too long</source>
+        <translation>túl hosszú: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 senkire sem vár, rá sem vár senki: nyomja meg újra</translation>
@@ -2100,8 +2105,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll, %3 (%4. sor). Az utolsónak érkező csatornától L%1-re áttett munka ennyit takaríthat meg.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4).</source>
+        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll itt: %3 (%4. sor).</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2412,6 +2417,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Nincs paraméter ilyen számmal, névvel vagy jelentéssel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>No part transfer is set up on this machine: its channels choose no counter spindle.</source>
+        <translation>Ezen a gépen nincs beállítva darabátadás: a csatornái nem választanak ellenorsót.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4134,11 +4144,6 @@
         <translation>Ebben a nyelvben nincsenek ciklusok.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>This machine has no counter spindle.</source>
-        <translation>Ennek a gépnek nincs ellenorsója.</translation>
-    </message>
-    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>Ennek a gépnek nincs tára: a PT_TURRET_MAGAZINE és az N2905–N2922 írja le.</translation>
@@ -4375,8 +4380,8 @@
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on.</source>
-        <translation>Az érintés és a billentyűk hatástalanok. A gép megy tovább.</translation>
+        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
+        <translation>Az érintés és a billentyűk nem hatnak. A gép tovább dolgozik. Magától felold %1 s múlva.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4684,6 +4689,11 @@
         <translation>Kézi munka</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Work moved from L%1 to L%2 saves up to %3 s.</source>
+        <translation>L%1 munkájából L%2-re áttett rész legfeljebb %3 s-ot takarít meg.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Eltolás</translation>
@@ -4699,7 +4709,7 @@
         <translation>Munkatér</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Workpiece</source>
         <translation>Munkadarab</translation>
     </message>
@@ -4969,7 +4979,7 @@
         <translation>fúró</translation>
     </message>
     <message>
-        <location filename="../widgets/magazine.cpp"/>
+        <location filename="../screens/tools.cpp"/>
         <source>empty</source>
         <translation>üres</translation>
     </message>

@@ -124,6 +124,11 @@
         <translation>%1 стоит в %2</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 too long</source>
+        <translation>слишком долгих: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 никого не ждёт, и его никто: нажмите ещё раз</translation>
@@ -2100,8 +2105,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Самое долгое ожидание: L%1 стоит %2 с на %3 (строка %4). Часть работы опаздывающего канала, отданная каналу L%1, сократит цикл не больше чем на это время.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4).</source>
+        <translation>Самое долгое ожидание: L%1 стоит %2 с на %3 (строка %4).</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2412,6 +2417,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Нет параметра с таким номером, именем или смыслом.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>No part transfer is set up on this machine: its channels choose no counter spindle.</source>
+        <translation>Передача детали на этом станке не настроена: его каналы не выбирают противошпиндель.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4134,11 +4144,6 @@
         <translation>В этом языке нет циклов.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
-        <source>This machine has no counter spindle.</source>
-        <translation>У этого станка нет противошпинделя.</translation>
-    </message>
-    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>У этого станка нет магазина: его описывают PT_TURRET_MAGAZINE и N2905 до N2922.</translation>
@@ -4375,8 +4380,8 @@
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on.</source>
-        <translation>Касания и клавиши не действуют. Станок работает.</translation>
+        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
+        <translation>Касания и клавиши не действуют. Станок продолжает работу. Снимется само через %1 с.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4684,6 +4689,11 @@
         <translation>Работа вручную</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Work moved from L%1 to L%2 saves up to %3 s.</source>
+        <translation>Работа, перенесённая из L%1 в L%2, сэкономит до %3 с.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Сдвиг</translation>
@@ -4699,7 +4709,7 @@
         <translation>Рабочая зона</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Workpiece</source>
         <translation>Деталь</translation>
     </message>
@@ -4969,7 +4979,7 @@
         <translation>сверло</translation>
     </message>
     <message>
-        <location filename="../widgets/magazine.cpp"/>
+        <location filename="../screens/tools.cpp"/>
         <source>empty</source>
         <translation>пусто</translation>
     </message>
