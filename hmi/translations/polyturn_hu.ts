@@ -31,7 +31,7 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
-        <translation>%1: új lapka, az élettartam és a kopás újrakezdődik</translation>
+        <translation>%1: új lapka, az éltartam és a kopás újrakezdődik</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -156,12 +156,12 @@
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: pitch</source>
-        <translation>%1: orsóhiba</translation>
+        <translation>%1: emelkedéshiba</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: pitch, negative direction</source>
-        <translation>%1: orsóhiba, negatív irány</translation>
+        <translation>%1: emelkedéshiba, negatív irány</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -186,7 +186,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>0.1 lead</source>
-        <translation>0,1 emelkedés</translation>
+        <translation>0.1 emelkedés</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -716,7 +716,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Chuck S%1</source>
-        <translation>Tokmány S%1</translation>
+        <translation>S%1 tokmány</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
@@ -761,7 +761,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Compare</source>
-        <translation>Hasonlítás</translation>
+        <translation>Összehasonlítás</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -826,7 +826,7 @@
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
-        <translation>Javítás</translation>
+        <translation>Korrekció</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -1141,7 +1141,7 @@
     <message>
         <location filename="../widgets/text_entry.cpp"/>
         <source>Empty</source>
-        <translation>Ürít</translation>
+        <translation>Törlés</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1651,7 +1651,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Highest bar: %1 of %2 ticks; both scales are logarithmic</source>
-        <translation>Legmagasabb oszlop: %1 a(z) %2 ütemből; mindkét skála logaritmikus</translation>
+        <translation>Legmagasabb oszlop: %1 / %2 ütem; mindkét skála logaritmikus</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1726,7 +1726,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Interval meter</source>
-        <translation>Szakaszmérő</translation>
+        <translation>Szakaszidő-mérő</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1846,7 +1846,7 @@
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Keyboard layout</source>
-        <translation>Kiosztás</translation>
+        <translation>Billentyűzetkiosztás</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -1876,7 +1876,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
-        <translation>L%1 határoz meg %2 időt ebből: %3; ami ott rövidül, a ciklust rövidíti.</translation>
+        <translation>A ciklusidőből (%3) L%1 ennyit határoz meg: %2; ami ott rövidül, a ciklust is rövidíti.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -1916,7 +1916,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Last</source>
-        <translation>Előző</translation>
+        <translation>Utolsó</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1991,37 +1991,37 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Life</source>
-        <translation>Élettartam</translation>
+        <translation>Éltartam</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Life and forecast</source>
-        <translation>Élettartam és előrejelzés</translation>
+        <translation>Éltartam és előrejelzés</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Life and wear to 0: press again</source>
-        <translation>Élettartam, kopás nullára: újra</translation>
+        <translation>Éltartam, kopás nullára: újra</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Life group of programs</source>
-        <translation>Programok élettartamcsoportja</translation>
+        <translation>Programok éltartamcsoportja</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Life left</source>
-        <translation>Hátralévő élet</translation>
+        <translation>Maradék éltartam</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Life measured in</source>
-        <translation>Élettartam egysége</translation>
+        <translation>Éltartam egysége</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Life nearly over</source>
-        <translation>Élettartam fogy</translation>
+        <translation>Éltartam fogytán</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2056,17 +2056,17 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Lock</source>
-        <translation>Zár</translation>
+        <translation>Zárolás</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Lock place</source>
-        <translation>Hely zárol</translation>
+        <translation>Hely zárolása</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Lock tool</source>
-        <translation>Szerszám zárol</translation>
+        <translation>Szerszám zárolása</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -2401,7 +2401,7 @@
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>No forecast yet: it begins when parts have been made with tools whose life is monitored.</source>
-        <translation>Még nincs előrejelzés: akkor kezdődik, ha figyelt élettartamú szerszámmal készült darab.</translation>
+        <translation>Még nincs előrejelzés: akkor kezdődik, ha figyelt éltartamú szerszámmal készült darab.</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
@@ -2806,7 +2806,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts since the start</source>
-        <translation>Darab indítás óta</translation>
+        <translation>Darab az indítás óta</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2941,7 +2941,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Position Switches</source>
-        <translation>Pozíciókapcsolók</translation>
+        <translation>Helyzetkapcsolók</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -3091,7 +3091,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
-        <translation>Gyors</translation>
+        <translation>Gyorsjárat</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -3161,12 +3161,12 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Release place</source>
-        <translation>Hely felold</translation>
+        <translation>Hely feloldása</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Release tool</source>
-        <translation>Szerszám felold</translation>
+        <translation>Szerszám feloldása</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -3486,7 +3486,7 @@
     <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Signals of NC and PLC</source>
-        <translation>NC és PLC jelei</translation>
+        <translation>Az NC és a PLC jelei</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3536,7 +3536,7 @@
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Sister</source>
-        <translation>Testvér</translation>
+        <translation>Testvérszerszám</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4001,7 +4001,7 @@
     <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>The program of L%1 waits for an answer</source>
-        <translation>L%1 programja válaszra vár</translation>
+        <translation>Az L%1 programja válaszra vár</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -4111,12 +4111,12 @@
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>This computer has no %1</source>
-        <translation>Ezen a gépen nincs %1</translation>
+        <translation>Ezen a számítógépen nincs %1</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>This computer runs without systemd</source>
-        <translation>Ez a gép systemd nélkül fut</translation>
+        <translation>Ez a számítógép systemd nélkül fut</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4276,7 +4276,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
-        <translation>Hátravan</translation>
+        <translation>Hátralévő</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -4326,7 +4326,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool life (0: not monitored)</source>
-        <translation>Élettartam (0: nem figyelt)</translation>
+        <translation>Éltartam (0: nem figyelt)</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4396,17 +4396,17 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger downwards</source>
-        <translation>Indítás lefelé</translation>
+        <translation>Trigger lefelé</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger level</source>
-        <translation>Indítószint</translation>
+        <translation>Triggerszint</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger upwards</source>
-        <translation>Indítás felfelé</translation>
+        <translation>Trigger felfelé</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4436,7 +4436,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Turret L%1</source>
-        <translation>Revolverfej L%1</translation>
+        <translation>L%1 revolverfej</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4571,7 +4571,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
-        <translation>Indítójelre vár</translation>
+        <translation>Triggerre vár</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -4656,7 +4656,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Whole machine</source>
-        <translation>Egész gép</translation>
+        <translation>Teljes gép</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5131,7 +5131,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
-        <translation>leghosszabb %1 alatt, az ütem %2</translation>
+        <translation>a leghosszabb %1 alatt; egy ütem: %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

@@ -56,7 +56,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
-        <translation>%1 вошёл</translation>
+        <translation>Вход выполнен: %1</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -186,7 +186,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>0.1 lead</source>
-        <translation>0,1 шага</translation>
+        <translation>0.1 шага</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -481,7 +481,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Backups</source>
-        <translation>Копии</translation>
+        <translation>Резервные копии</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -656,7 +656,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Changed</source>
-        <translation>Изменён</translation>
+        <translation>Изменено</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -881,7 +881,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Decides the time</source>
-        <translation>Критический путь</translation>
+        <translation>Критич. путь</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1136,7 +1136,7 @@
     <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
-        <translation>Аварийный стоп</translation>
+        <translation>Аварийный останов</translation>
     </message>
     <message>
         <location filename="../widgets/text_entry.cpp"/>
@@ -1436,7 +1436,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Field</source>
-        <translation>Поле</translation>
+        <translation>Адрес</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1581,7 +1581,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Give this level</source>
-        <translation>Дать уровень</translation>
+        <translation>Задать уровень</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1916,7 +1916,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Last</source>
-        <translation>Прошлый</translation>
+        <translation>Последний</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2061,12 +2061,12 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Lock place</source>
-        <translation>Блок. место</translation>
+        <translation>Блокировать место</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Lock tool</source>
-        <translation>Блок. инструмент</translation>
+        <translation>Блокировать инструмент</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -2096,7 +2096,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Logged in: %1, %2</source>
-        <translation>Вошёл: %1, %2</translation>
+        <translation>В системе: %1, %2</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2701,7 +2701,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Own folder</source>
-        <translation>Своя папка</translation>
+        <translation>Домашняя папка</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2821,7 +2821,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>Path backwards %1</source>
-        <translation>По пути назад %1</translation>
+        <translation>Назад по траектории %1</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -2841,7 +2841,7 @@
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
-        <translation>Шаговое врезание вдоль Z</translation>
+        <translation>Сверление с выводом, канавки вдоль Z</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2941,7 +2941,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Position Switches</source>
-        <translation>Путевые выключатели</translation>
+        <translation>Позиционные выключатели</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2981,7 +2981,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Process dead</source>
-        <translation>Процесс погиб</translation>
+        <translation>Процесс не работает</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -3091,7 +3091,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
-        <translation>Быстро</translation>
+        <translation>Ускор. ход</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -3116,7 +3116,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Records</source>
-        <translation>Записывает</translation>
+        <translation>Идёт запись</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -3131,7 +3131,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Reference Point</source>
-        <translation>Нулевая точка</translation>
+        <translation>Референтная точка</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3156,17 +3156,17 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Relative zero</source>
-        <translation>Относит. ноль</translation>
+        <translation>Относит. нуль</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Release place</source>
-        <translation>Разблок. место</translation>
+        <translation>Разблокировать место</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Release tool</source>
-        <translation>Разблок. инструмент</translation>
+        <translation>Разблокировать инструмент</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -3981,7 +3981,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
-        <translation>Запрашиваются палеты ...</translation>
+        <translation>Запрашиваются паллеты ...</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4371,7 +4371,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Touch the line, type, Enter starts it</source>
-        <translation>Коснитесь строки, введите, Enter запустит</translation>
+        <translation>Коснитесь строки, введите кадр; Enter запустит</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4451,7 +4451,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type number: the T that calls it</source>
-        <translation>Номер типа: T, которое его вызывает</translation>
+        <translation>Номер типа: T, которым его вызывают</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4781,7 +4781,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
-        <translation>метке</translation>
+        <translation>метки</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4811,7 +4811,7 @@
     <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>arm S%1</source>
-        <translation>рука S%1</translation>
+        <translation>манипулятор S%1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5131,7 +5131,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
-        <translation>самый долгий меньше %1 из такта %2</translation>
+        <translation>самый долгий: меньше %1 при такте %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
