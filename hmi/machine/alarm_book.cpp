@@ -160,7 +160,7 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     out.resets = event.value("resets").toInt(-1);
     if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
     out.line = static_cast<std::uint32_t>(event.value("line").toInt());
-    if (out.line) out.place += QString(":%1").arg(event.value("line").toInt());
+    if (out.line) out.place += out.place.isEmpty() ? QString("%1 %2").arg(word("line")).arg(out.line) : QString(":%1").arg(out.line);   // the kernel's own do not tell the file
     return out;   // it speaks English, the numbers of its control: tellSome() finds the row that reads so
 }
 

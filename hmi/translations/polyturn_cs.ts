@@ -106,7 +106,7 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>%1 mm a part</source>
-        <translation>%1 mm na díl</translation>
+        <translation>%1 mm na kus</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -186,7 +186,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>0.1 lead</source>
-        <translation>0,1 stoupání</translation>
+        <translation>0.1 stoupání</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -341,7 +341,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
-        <translation>Všechny nuly</translation>
+        <translation>Součet posunutí</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -586,12 +586,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Call %1</source>
-        <translation>Volat %1</translation>
+        <translation>Vyvolat %1</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Called by</source>
-        <translation>Volá ho</translation>
+        <translation>Vyvolání</translation>
     </message>
     <message>
         <location filename="../screens/editor_files.cpp"/>
@@ -636,12 +636,12 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Chamfer or rounding has no room here.</source>
-        <translation>Pro zkosení nebo zaoblení není místo.</translation>
+        <translation>Pro sražení nebo zaoblení není místo.</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Chamfer to the next one</source>
-        <translation>Zkosení k dalšímu</translation>
+        <translation>Sražení k dalšímu</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -796,7 +796,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
-        <translation>Kontura</translation>
+        <translation>Obrys</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -836,7 +836,7 @@
     <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings and exchanges</source>
-        <translation>Vazby a záměny</translation>
+        <translation>Vazby a výměny os</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -861,12 +861,12 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
-        <translation>Cyklus poslední, průměr</translation>
+        <translation>Poslední cyklus, průměr</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle now</source>
-        <translation>Cyklus nyní</translation>
+        <translation>Aktuální cyklus</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -1401,7 +1401,7 @@
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Feed of finishing, where the contour says none</source>
-        <translation>Posuv dokončování, není-li v kontuře</translation>
+        <translation>Posuv dokončování, není-li v obrysu</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1451,7 +1451,7 @@
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Finishing a contour</source>
-        <translation>Dokončení kontury</translation>
+        <translation>Dokončení obrysu</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1481,7 +1481,7 @@
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>First block of the contour</source>
-        <translation>První blok kontury</translation>
+        <translation>První blok obrysu</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -1506,7 +1506,7 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>First to stop the machine: %1; parts until then: %2</source>
-        <translation>První zastaví stroj: %1; dílů do té doby: %2</translation>
+        <translation>První zastaví stroj: %1; kusů do té doby: %2</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1581,7 +1581,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Give this level</source>
-        <translation>Dát tuto úroveň</translation>
+        <translation>Přidělit úroveň</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1626,7 +1626,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
-        <translation>Kolečko</translation>
+        <translation>Ruční kolečko</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1726,7 +1726,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Interval meter</source>
-        <translation>Intervalové počitadlo</translation>
+        <translation>Intervalový časovač</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1901,7 +1901,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
-        <translation>Větší</translation>
+        <translation>Zvětšit</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -1916,12 +1916,12 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Last</source>
-        <translation>Minulý</translation>
+        <translation>Poslední</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Last block of the contour</source>
-        <translation>Poslední blok kontury</translation>
+        <translation>Poslední blok obrysu</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -2036,7 +2036,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Line %1 of the description cannot be read: a new contour begins here.</source>
-        <translation>Řádek %1 popisu nelze přečíst: zde začíná nová kontura.</translation>
+        <translation>Řádek %1 popisu nelze přečíst: zde začíná nový obrys.</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
@@ -2366,7 +2366,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>No block is entered</source>
-        <translation>Není zadána žádná věta</translation>
+        <translation>Není zadán žádný blok</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2381,7 +2381,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>No circle has been driven since the record began: drive at least three quarters of one in L%1</source>
-        <translation>Od začátku záznamu se nejel kruh: projeďte v L%1 aspoň tři čtvrtiny</translation>
+        <translation>Od začátku záznamu se nejela kružnice: projeďte v L%1 aspoň tři čtvrtiny</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -2396,7 +2396,7 @@
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>No faults found</source>
-        <translation>Bez závad</translation>
+        <translation>Bez chyb</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -2441,7 +2441,7 @@
     <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>No start</source>
-        <translation>Bez startu</translation>
+        <translation>Nespuštěno</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2701,7 +2701,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Own folder</source>
-        <translation>Vlastní složka</translation>
+        <translation>Domovská složka</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2771,7 +2771,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Part time</source>
-        <translation>Doba dílu</translation>
+        <translation>Čas na kus</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2791,27 +2791,27 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
-        <translation>Dílů celkem</translation>
+        <translation>Kusů celkem</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Parts left</source>
-        <translation>Zbývá dílů</translation>
+        <translation>Zbývá kusů</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts of this job</source>
-        <translation>Dílů této zakázky</translation>
+        <translation>Kusů této zakázky</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts since the start</source>
-        <translation>Dílů od startu</translation>
+        <translation>Kusů od startu</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts wanted</source>
-        <translation>Požadováno dílů</translation>
+        <translation>Požadováno kusů</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -3011,7 +3011,7 @@
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Program with the contour</source>
-        <translation>Program s konturou</translation>
+        <translation>Program s obrysem</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3116,7 +3116,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Records</source>
-        <translation>Zaznamenává</translation>
+        <translation>Záznam běží</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -3201,7 +3201,7 @@
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
-        <translation>Opakování kontury</translation>
+        <translation>Opakování obrysu</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -3496,7 +3496,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Simulation, timeline</source>
-        <translation>Simulace, osa</translation>
+        <translation>Simulace, časová osa</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3521,7 +3521,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>Single block all</source>
-        <translation>Po bloku všechny</translation>
+        <translation>Po bloku: vše</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3556,7 +3556,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Smaller</source>
-        <translation>Menší</translation>
+        <translation>Zmenšit</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -3746,7 +3746,7 @@
     <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>Stopped at</source>
-        <translation>Zastavil na</translation>
+        <translation>Zastaveno na</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -3891,7 +3891,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
-        <translation>Kontura je úplná.</translation>
+        <translation>Obrys je úplný.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -4251,7 +4251,7 @@
     <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Timers, counters</source>
-        <translation>Čítače</translation>
+        <translation>Časovače, čítače</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -4361,7 +4361,7 @@
     <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Dotkněte se dvakrát jednoho z těchto bloků, stiskněte na něm Enter, nebo zadejte jeho číslo: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
+        <translation>Dotkněte se dvakrát jednoho z těchto bloků, stiskněte na něm Enter, nebo zadejte jeho číslo: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osami nejdřív odjeďte na volné místo.</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4381,7 +4381,7 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>Dotyky a klávesy nic nedělají. Stroj pokračuje. Uvolní se sám za %1 s.</translation>
+        <translation>Dotyky a klávesy nefungují. Stroj pracuje dál. Panel se odemkne za %1 s.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4391,22 +4391,22 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Travel of L%1</source>
-        <translation>Dráha L%1</translation>
+        <translation>Pojezd L%1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger downwards</source>
-        <translation>Spoušť dolů</translation>
+        <translation>Sestupná hrana</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger level</source>
-        <translation>Úroveň spouště</translation>
+        <translation>Úroveň spouštění</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger upwards</source>
-        <translation>Spoušť nahoru</translation>
+        <translation>Náběžná hrana</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4441,7 +4441,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number or touch it, then Input.</source>
-        <translation>Napište číslo nebo se ho dotkněte, pak «Vložit».</translation>
+        <translation>Napište číslo nebo se ho dotkněte, pak «Vstup».</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4471,7 +4471,7 @@
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
-        <translation>Zpět</translation>
+        <translation>Vrátit změnu</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -4571,7 +4571,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
-        <translation>Čeká na spoušť</translation>
+        <translation>Čeká na spuštění</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -4626,7 +4626,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
-        <translation>Co bylo hlášeno dříve, je v «Historii», proč stroj stál, v «Deníku zastavení».</translation>
+        <translation>Co bylo hlášeno dříve, je v «Historii», proč stroj stál, v «Záznamu zastavení».</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4696,7 +4696,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
-        <translation>Posunutí</translation>
+        <translation>Posunutí počátku</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4766,7 +4766,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Zero</source>
-        <translation>Nula</translation>
+        <translation>Nulový bod</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4781,7 +4781,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
-        <translation>značce</translation>
+        <translation>bodu synchronizace</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4826,7 +4826,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>axes were moved in the hold</source>
-        <translation>osy byly odjety v pozastavení</translation>
+        <translation>s osami se při stopu posuvu pohnulo</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -4861,7 +4861,7 @@
     <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>button tool</source>
-        <translation>kotoučový nůž</translation>
+        <translation>nůž s kruhovou destičkou</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5131,7 +5131,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
-        <translation>nejdelší pod %1 z taktu %2</translation>
+        <translation>nejdelší výpočet pod %1, perioda taktu %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5226,7 +5226,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
-        <translation>pohybuje jejím pohonem: osy zaměněny</translation>
+        <translation>pohybuje jejím pohonem: osy jsou vyměněny</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5351,7 +5351,7 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>parts to the limit: %1</source>
-        <translation>dílů do meze: %1</translation>
+        <translation>kusů do meze: %1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5626,7 +5626,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>the time of a tick</source>
-        <translation>čas taktu</translation>
+        <translation>perioda taktu</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5751,7 +5751,7 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
-        <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibruje kolík.</translation>
+        <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibrujte kolíkem.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
