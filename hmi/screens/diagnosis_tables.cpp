@@ -3,6 +3,7 @@
 
 #include "hmi/machine/tool_words.hpp"
 #include "hmi/screens/diagnosis.hpp"
+#include "hmi/text/search.hpp"
 #include "ipc/image/signal_tongue.hpp"
 #include "ipc/machine/counters.hpp"
 #include "ipc/params/export.hpp"
@@ -42,7 +43,7 @@ void Diagnosis::fillSignals() {
     }
     found_.clear();
     for (const SignalLine& one : signals_)
-        if (search_.isEmpty() || one.name.contains(search_, Qt::CaseInsensitive) || one.meaning.contains(search_, Qt::CaseInsensitive) || one.english.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+        if (search_.isEmpty() || holds(one.name, search_) || holds(one.meaning, search_) || holds(one.english, search_)) found_.push_back(one);
     table_->nothing = word("No signal has this in its name or meaning.");
     table_->rows = [this] { return static_cast<int>(found_.size()); };
     table_->cell = [this](int row, int column) -> Table::Cell {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi/text/dates.hpp"
+#include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "ipc/machine/load_machine.hpp"
@@ -43,7 +44,7 @@ const char* levelWord(params::Protection level) {
 // Found by a part of its number, or of its name, its meaning, the name or meaning of a bit: as people read them here, or in English, as
 // builders' documents write them.
 bool matches(const params::Row& row, const QString& searched) {
-    const auto has = [&](std::string_view text) { return fromView(text).contains(searched, Qt::CaseInsensitive); };
+    const auto has = [&](std::string_view text) { return holds(fromView(text), searched); };
     if (searched.isEmpty() || has(row.number)) return true;
     for (const Tongue tongue : {spoken(), Tongue::English}) {
         const params::RowWords words = params::words_of(row, tongue);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
 #include "ipc/image/signal_tongue.hpp"
@@ -159,7 +160,7 @@ void ScopePage::fillChoices() {
     }
     found_.clear();
     for (const Choice& one : all_)
-        if (search_.isEmpty() || one.title.contains(search_, Qt::CaseInsensitive) || one.english.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+        if (search_.isEmpty() || holds(one.title, search_) || holds(one.english, search_)) found_.push_back(one);
     chooser_->choose(0);
 }
 
