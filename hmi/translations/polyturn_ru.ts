@@ -2941,7 +2941,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Position Switches</source>
-        <translation>Позиционные выключатели</translation>
+        <translation>Позиц. выключатели</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
