@@ -148,5 +148,21 @@ TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,18 10,0 30,0");
 }
 
+Played with_round_nose(std::string_view contour) {
+    const std::string program = "G18 G71 G90 G94 G152\nT1 D1\nG0 X60 Z40\n" + std::string(contour) + "\nG40 X80\nM30\n";
+    return play(program, fagor({"FG.COMPMODE=2"}), [](MachineView& view) {
+        view.store->offsets[1].geometry_r = 2;
+        view.store->offsets[1].tip = 0;
+    });
+}
+
+// [8.2.3, 8.2.5] modal: the side that is active already begins nothing anew, an inner corner stays the intersection.
+TEST(FagorCompensation, TheSameSideAgainChangesNothing) {
+    const std::string as_ever = "60,40 32,10 32,-18 60,-18 80,-20";
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nZ-20\nX60")), as_ever);
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nG42 Z-20\nG42 X60")), as_ever);
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nG42\nZ-20\nG42\nX60")), as_ever);
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
