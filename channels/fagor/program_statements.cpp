@@ -181,8 +181,7 @@ Interpreter::Flow Interpreter::write(const char*& at, const char* end) {
     if (modal_.writing < 0) return flow_fault(Alarm::FagorWriteClosed, at == end ? at - 1 : at, 1);
     blanks(at, end);
     const std::string_view block(at, static_cast<std::size_t>(end - at));
-    const std::size_t first = block.find_first_not_of(" \t");
-    const bool statement = first != std::string_view::npos && block[first] == '(';
+    const bool statement = block.substr(0, block.find(';')).find('(') != std::string_view::npos;   // behind skip signs and a label too
     for (WrittenProgram& program : modal_.written) {
         if (program.number != modal_.writing) continue;
         std::string text = *program.text + with_parameters(block, statement) + '\n';

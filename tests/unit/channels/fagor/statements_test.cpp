@@ -42,6 +42,10 @@ TEST(FagorStatement, RunsWhatItNames) {
     EXPECT_TRUE(run("N1 (P100=P100+1)\nN2 (P102=0)\n(IF (P100 EQ 1) RPT N1, N2) N3\nM30\n").has({"P100", ":4"}));   // its count stands behind the bracket
     EXPECT_TRUE(run("(P101=2.5)\n(OPEN P7)\n(WRITE (P100=?P101))\n(EXEC P7)\nM30\n").has({"P100", ":2.5"}));        // [12.7]
     EXPECT_TRUE(run("(OPEN P7)\n(WRITE (P101=5))\n(WRITE M30)\n(WRITE (P101=6))\n(EXEC P7)\n(P100=P101)\nM30\n").has({"P100", ":5"}));   // its M30 leads back
+    // A labelled or skippable block is a statement too: only what stands behind ? is replaced.
+    EXPECT_TRUE(run("(P100=4)\n(OPEN P7)\n(WRITE N10 (P100=P100+1))\n(EXEC P7)\nM30\n").has({"P100", ":5"}));
+    EXPECT_TRUE(run("(P100=4)\n(P101=2)\n(OPEN P7)\n(WRITE /2 N10 (P100=P100+?P101))\n(EXEC P7)\nM30\n").has({"P100", ":6"}));
+    EXPECT_TRUE(run("(P101=7)\n(OPEN P7)\n(WRITE N10 G00 XP101 ;(KEPT))\n(P101=8)\n(EXEC P7)\nM30\n").has({"\"ev\":\"move\"", "\"X\":7"}));
     EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
     EXPECT_TRUE(run("(ERROR 77, \"NO BAR\")\nM30\n").has({"alarm", ":77", "NO BAR"}));
     EXPECT_TRUE(run("(P101=1, P102=POSX)\n(P101=P101+1, P102=POSX)\n(P100=P101)\nM30\n").has({"P100", ":2"}));      // once, though it waits
