@@ -222,7 +222,7 @@ private:
     Flow assign(const Target& to, double value, const char* at);
     Flow flow_of(Expression::Status status);
     Flow flow_fault(Alarm alarm, const char* at, std::size_t length = 1, std::string detail = {}, double value = 0.0);
-    Flow condition(const char*& at, const char* end);
+    Flow condition(const char*& at, const char* end), nothing_follows(const char*& at, const char* end);
     Flow error_statement(const char*& at, const char* end), message_statement(const char*& at, const char* end);
     Flow go_to(const char*& at, const char* end), repeat(const char*& at, const char* end);
     Flow call(const char*& at, const char* end, std::string_view how);
