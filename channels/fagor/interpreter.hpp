@@ -177,7 +177,7 @@ private:
     void refresh_zero();
 
     // cycles (g_cycles.cpp, g_profile.cpp)
-    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters);
+    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters), cycle_dwell(double& seconds);
     cycles::Point cycle_point(char abscissa, char ordinate);
     cycles::Point cycle_call_point();
     bool begin_cycle_block();

@@ -117,6 +117,10 @@ TEST(FagorBlock, RefusesByName) {
         {"G152\nG00 X50 Z-5\nG68 X20 Z0 C2 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},       // [part 2, 9.2]
         {"G152\nG00 X50 Z0.2\nG68 X20 Z0 C2 M0.3 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},
         {"G152\nG00 X20 Z5\nG69 X30 Z-10 C2 S1 E2\nM30\nN1 G01 X20\nN2 X10 Z0", Alarm::FagorCyclePosition, "\"line\":3"},          // [part 2, 9.3]
+        {"G83 X0 Z0 I20 B5 K1.5", Alarm::PointForbidden, "\"column\":18"},                                      // [part 2, 1] hundredths, whole ones
+        {"G88 X30 Z0 Q20 R-5 C2 K1.5", Alarm::PointForbidden, "\"line\":1"},
+        {"G89 X30 Z0 Q20 R-5 C2 K1.5", Alarm::PointForbidden, "\"line\":1"},
+        {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 U2", Alarm::FagorValueRange, "U"},                                       // [part 2, 9.9.5] 0 or 1
         {"G152\nG00 X10 Z10\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
     };
     for (const Refusal& row : rows) {

@@ -89,6 +89,15 @@ TEST(FagorStatement, RefusesWordsBehindAJumpOrCall) {
     EXPECT_TRUE(run("(CALL 1)\nM30\n(SUB 1)\n(RET 5)\n").has({"\"ev\":\"alarm\"", std::string(alarm_number(Alarm::FagorStatement, Dialect::Fagor)), "\"line\":4"}));
 }
 
+// [11.2.14] axis numbers: 1 = X, 2 = Y, 3 = Z, whether the machine has the axis or not.
+TEST(FagorVariable, PlaneNamesItsAxesByNumber) {
+    const std::pair<std::string_view, std::string_view> rows[] = {{"G17", ":18"}, {"G18", ":49"}, {"G19", ":35"}};
+    for (const auto& [plane, value] : rows) {
+        const Played played = run(std::string(plane) + "\n(P100=PLANE)\nM30\n");
+        EXPECT_TRUE(played.has({"P100", std::string(value)})) << plane << "\n" << played.events;
+    }
+}
+
 TEST(FagorTables, NameEachCodeAndVariableOnce) {
     for (std::size_t i = 0; i < fagor::variable_count(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
