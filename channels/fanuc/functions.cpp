@@ -347,6 +347,7 @@ bool Interpreter::wait_code(const Word& word) {
             channels |= 1u << (channel - 1);
             return true;
         };
+        if (digits.find('-') != std::string::npos) return core_.fail(Alarm::WaitSetIllegal, 'P', digits, word.value);
         unsigned number = 0;
         bool any = false;
         for (const char c : digits) {
