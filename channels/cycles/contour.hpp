@@ -45,6 +45,7 @@ public:
     std::optional<Diagnosis> error;      // told by the block that failed
     std::optional<BlockContext> foreign; // a block that is no part of a contour: a thread, a move outside the plane, a wait
 
+    bool only_plane = false;             // what axes beside the plane do counts for nothing
     void from(Point point) { here_ = point; }
     void move(const Move& move, const BlockContext& at) override;
     void alarm(const Diagnosis& diagnosis, const BlockContext& at) override;

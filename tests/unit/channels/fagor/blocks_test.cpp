@@ -168,5 +168,18 @@ TEST(FagorCompensation, TheSameSideAgainChangesNothing) {
     EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nG42\nZ-20\nG42\nX60")), as_ever);
 }
 
+// [8.3] an axis beside the plane ends no search, and moves where its block is left out.
+TEST(FagorCompensation, ALoopMayHaveBlocksOfOtherAxes) {
+    const std::string contour = "G42 N5 G1 X30 Z10 F100\nZ0\nX29\nZ-1\nX30\nZ-20";
+    const Played plain = with_round_nose(contour);
+    EXPECT_EQ(plain.errors, 0u) << plain.events;
+    const Played turned = with_round_nose("G42 N5 G1 X30 Z10 F100\nZ0\nX29 C30\nZ-1\nX30 C60\nZ-20");
+    EXPECT_EQ(turned.errors, 0u) << turned.events;
+    EXPECT_EQ(points(turned), "60,40 32,10 32,0 32,0 32,0 32,-20 80,-20");
+    EXPECT_TRUE(turned.has({"\"ev\":\"move\"", "\"C\":30"})) << turned.events;
+    EXPECT_TRUE(turned.has({"\"ev\":\"move\"", "\"C\":60"})) << turned.events;
+    EXPECT_TRUE(turned.has({"\"ev\":\"alarm\"", std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << turned.events;
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
