@@ -16,6 +16,7 @@ void ContourRecorder::move(const Move& move, const BlockContext& at) {
     Element element;
     element.from = here_;
     element.to = {move.pos[z_], move.pos[x_]};
+    element.rapid = move.kind == MoveKind::Rapid;
     element.at = at;
     if (arc) {
         element.form = move.kind == MoveKind::ArcCw ? Element::Form::ArcCw : Element::Form::ArcCcw;

@@ -181,5 +181,19 @@ TEST(FagorCompensation, ALoopMayHaveBlocksOfOtherAxes) {
     EXPECT_TRUE(turned.has({"\"ev\":\"alarm\"", std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << turned.events;
 }
 
+// [8.3] a groove that the nose does not fit into is left out, with one warning, however deep it is.
+TEST(FagorCompensation, AGrooveNarrowerThanTheNoseIsPassedOver) {
+    for (const char* groove : {"X25\nZ-2\nX30", "X28\nZ-2\nX30", "X25 Z-1\nX30 Z-2"}) {
+        const Played played = with_round_nose("G42 N10 G1 X30 Z10 F100\nZ0\n" + std::string(groove) + "\nZ-20");
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        EXPECT_EQ(points(played), "60,40 32,10 32,0 32,-20 80,-20") << groove;
+        unsigned warnings = 0;
+        for (const std::string& line : played.lines()) warnings += line.find(std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))) != std::string::npos;
+        EXPECT_EQ(warnings, 1u) << played.events;
+    }
+    const Played shoulder = with_round_nose("G42 N10 G1 X28 Z10 F100\nZ0\nX24\nZ-2\nX31\nZ-20");
+    EXPECT_EQ(points(shoulder), "60,40 30,10 30,0 33,0 33,-20 80,-20") << shoulder.events;
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
