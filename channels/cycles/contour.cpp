@@ -8,13 +8,15 @@ void ContourRecorder::move(const Move& move, const BlockContext& at) {
     const AxisSet plane = 1u << z_ | 1u << x_;
     const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw;
     const bool line = move.kind == MoveKind::Rapid || move.kind == MoveKind::Linear;
-    if ((!arc && !line) || (move.moved & ~plane) || (arc && (move.plane_p != z_ || move.plane_q != x_ || move.turns != 0))) {
+    if (only_plane && line && !(move.moved & plane)) return;
+    if ((!arc && !line) || (!only_plane && (move.moved & ~plane)) || (arc && (move.plane_p != z_ || move.plane_q != x_ || move.turns != 0))) {
         foreign = at;
         return;
     }
     Element element;
     element.from = here_;
     element.to = {move.pos[z_], move.pos[x_]};
+    element.rapid = move.kind == MoveKind::Rapid;
     element.at = at;
     if (arc) {
         element.form = move.kind == MoveKind::ArcCw ? Element::Form::ArcCw : Element::Form::ArcCcw;

@@ -24,6 +24,7 @@ struct Element {
     Point centre;                   // arcs
     double radius = 0.0;
     double first_angle = 0.0, sweep = 0.0;   // rad in the plane Z X; sweep positive from Z to X
+    bool rapid = false;
     BlockContext at;
 };
 
@@ -44,6 +45,7 @@ public:
     Contour contour;
     std::optional<Diagnosis> error;      // told by the block that failed
     std::optional<BlockContext> foreign; // a block that is no part of a contour: a thread, a move outside the plane, a wait
+    bool only_plane = false;             // what axes beside the plane do counts for nothing
 
     void from(Point point) { here_ = point; }
     void move(const Move& move, const BlockContext& at) override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace polyturn::channels::fagor {
 namespace {
@@ -12,6 +13,7 @@ using cycles::Point;
 
 constexpr double kClose = 1e-4;   // mm
 constexpr int kSamples = 9;       // points of an element at which the nose is looked at
+constexpr int kMostPasses = 50;   // over what is left of a contour; each shortens it
 
 Point operator+(Point a, Point b) { return {a.z + b.z, a.x + b.x}; }
 Point operator-(Point a, Point b) { return {a.z - b.z, a.x - b.x}; }
@@ -48,13 +50,28 @@ double distance_to(const Element& e, Point p) {
     return std::min(length(p - e.from), length(p - e.to));
 }
 
+// So far from the inner corner of two lines the nose stands when it lies against both.
+double taken_by_corner(const Element& a, const Element& b, double nose, int side) {
+    if (is_arc(a) || is_arc(b)) return 0.0;
+    const Point d = direction(a, 1.0), e = direction(b, 0.0);
+    const double turn = side * std::atan2(cross(d, e), dot(d, e));
+    constexpr double kStraight = 1e-6;
+    return turn > kStraight && turn < std::numbers::pi - kStraight ? nose * std::tan(turn / 2) : 0.0;
+}
+
 // The nose on its way along k would cut into an element of the window, wherever on k it stands.
 bool collides(const std::vector<Element>& all, std::size_t k, double nose, int side, std::size_t window) {
     const Element& e = all[k];
     if (is_arc(e) && (e.sweep > 0 ? 1 : -1) == side && e.radius < nose - kClose) return true;   // the nose lies inside of an arc that it does not fit
+    double begin = 0.0, end = 1.0;   // the share of a line that the corners leave; none: the compensated line would run backwards
+    if (const double l = length(e.to - e.from); !is_arc(e) && l > kClose) {
+        if (k > 0) begin = taken_by_corner(all[k - 1], e, nose, side) / l;
+        if (k + 1 < all.size()) end -= taken_by_corner(e, all[k + 1], nose, side) / l;
+        if ((begin - end) * l > kClose) return true;
+    }
     const std::size_t first = k > window ? k - window : 0, last = std::min(all.size() - 1, k + window);
     for (int s = 0; s < kSamples; ++s) {
-        const double share = (s + 0.5) / kSamples;
+        const double share = begin + (s + 0.5) / kSamples * (end - begin);
         const Point d = direction(e, share), centre = at_share(e, share) + nose * static_cast<double>(side) * Point{-d.x, d.z};
         bool free = true;
         for (std::size_t m = first; free && m <= last; ++m)
@@ -113,11 +130,43 @@ std::optional<Point> crossing(const Element& a, const Element& b) {
     return std::nullopt;
 }
 
-}  // namespace
+bool in_line(const Element& a, const Element& b) {
+    if (is_arc(a) || is_arc(b)) return false;
+    const Point d = direction(a, 1.0);
+    return std::fabs(cross(d, b.from - a.to)) < kClose && std::fabs(cross(d, b.to - a.to)) < kClose && dot(d, b.to - a.to) > 0;
+}
 
-std::vector<ContourLoop> find_loops(const std::vector<Element>& all, double nose, int side, std::size_t window) {
+// Of the elements i to j two lines that meet, both long enough for the nose in the inner corner between them: the shoulder of a groove
+// whose other one is lower, with the surface that follows.
+std::optional<ContourLoop> inner_corner(const std::vector<Element>& all, std::size_t i, std::size_t j, double nose, int side) {
+    for (std::size_t span = j - i - 1; span >= 2; --span)
+        for (std::size_t a = i; a + span <= j; ++a) {
+            const std::size_t b = a + span;
+            Element in = all[a], out = all[b];
+            if (is_arc(in) || is_arc(out)) continue;
+            const auto p = meeting(in, out);
+            if (!p || (a != i && distance_to(in, *p) > kClose) || (b != j && distance_to(out, *p) > kClose)) continue;
+            in.to = out.from = *p;
+            const double taken = taken_by_corner(in, out, nose, side);
+            const double before = a > 0 ? taken_by_corner(all[a - 1], in, nose, side) : 0.0;
+            const double behind = b + 1 < all.size() ? taken_by_corner(out, all[b + 1], nose, side) : 0.0;
+            if (taken > 0 && before + taken < length(in.to - in.from) + kClose && taken + behind < length(out.to - out.from) + kClose) return ContourLoop{a, b, p};
+        }
+    return std::nullopt;
+}
+
+// How i goes on where all elements up to j collide.
+std::optional<ContourLoop> around(const std::vector<Element>& all, std::size_t i, std::size_t j, double nose, int side) {
+    if (const auto p = meeting(all[i], all[j])) return ContourLoop{i, j, p};
+    if (is_arc(all[i]) || is_arc(all[j]) || in_line(all[i], all[j])) return ContourLoop{i, j, std::nullopt};
+    if (const auto corner = inner_corner(all, i, j, nose, side)) return corner;
+    // Straight to the end of j, unless that would cut below the beginning of j.
+    if (side * cross(direction(all[i], 1.0), all[j].from - all[i].to) > 0) return std::nullopt;
+    return ContourLoop{i, j, std::nullopt};
+}
+
+std::vector<ContourLoop> one_pass(const std::vector<Element>& all, double nose, int side, std::size_t window) {
     std::vector<ContourLoop> loops;
-    if (nose <= 0 || side == 0 || all.size() < 3) return loops;
     std::vector<bool> bad(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) bad[k] = collides(all, k, nose, side, window);
     for (std::size_t i = 0; i + 2 < all.size(); ++i) {
@@ -129,11 +178,64 @@ std::vector<ContourLoop> find_loops(const std::vector<Element>& all, double nose
         if (!loop && bad[i + 1]) {
             std::size_t j = i + 1;
             while (j <= last && bad[j]) ++j;
-            if (j <= last) loop = ContourLoop{i, j, meeting(all[i], all[j])};
+            if (j <= last) loop = around(all, i, j, nose, side);
         }
         if (!loop) continue;
         loops.push_back(*loop);
         i = loop->after - 1;
+    }
+    return loops;
+}
+
+// The element between two points of its line or circle.
+void cut_to(Element& e, Point from, Point to) {
+    if (is_arc(e)) {
+        if (std::fabs(length(from - e.centre) - e.radius) > kClose || std::fabs(length(to - e.centre) - e.radius) > kClose) return;
+        constexpr double kTurn = 2 * std::numbers::pi;
+        const double way = e.sweep > 0 ? 1.0 : -1.0;
+        e.first_angle = std::atan2((from - e.centre).x, (from - e.centre).z);
+        double sweep = way * (std::atan2((to - e.centre).x, (to - e.centre).z) - e.first_angle);
+        if (sweep <= 0) sweep += kTurn;
+        e.sweep = way * sweep;
+    }
+    e.from = from, e.to = to;
+}
+
+// The elements first to last of a contour without rapid moves between them. What is left of it may not be free either.
+void loops_of(const std::vector<Element>& all, std::size_t first, std::size_t last, double nose, int side, std::size_t window, std::vector<ContourLoop>& loops) {
+    std::vector<Element> left(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    std::vector<std::size_t> place(left.size());
+    std::iota(place.begin(), place.end(), first);
+    for (int pass = 0; pass < kMostPasses && left.size() >= 3; ++pass) {
+        const auto found = one_pass(left, nose, side, window);
+        if (found.empty()) break;
+        for (auto loop = found.rbegin(); loop != found.rend(); ++loop) {
+            Element &before = left[loop->before], &after = left[loop->after];
+            if (loop->meeting) cut_to(before, before.from, *loop->meeting);
+            cut_to(after, before.to, after.to);
+            const auto from = static_cast<std::ptrdiff_t>(loop->before) + 1, to = static_cast<std::ptrdiff_t>(loop->after);
+            left.erase(left.begin() + from, left.begin() + to);
+            place.erase(place.begin() + from, place.begin() + to);
+        }
+    }
+    for (std::size_t k = 0; k + 1 < left.size(); ++k) {
+        if (place[k + 1] == place[k] + 1) continue;
+        ContourLoop loop{place[k], place[k + 1], std::nullopt};
+        if (length(left[k].to - all[place[k]].to) > kClose) loop.meeting = left[k].to;
+        loops.push_back(loop);
+    }
+}
+
+}  // namespace
+
+std::vector<ContourLoop> find_loops(const std::vector<Element>& all, double nose, int side, std::size_t window) {
+    std::vector<ContourLoop> loops;
+    if (nose <= 0 || side == 0) return loops;
+    for (std::size_t first = 0; first < all.size();) {
+        std::size_t last = first;
+        while (last < all.size() && !all[last].rapid) ++last;
+        loops_of(all, first, last, nose, side, window, loops);
+        first = last + 1;
     }
     return loops;
 }

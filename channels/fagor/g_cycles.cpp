@@ -32,6 +32,14 @@ bool Interpreter::cycle_not_negative(std::string_view letters) {
     return true;
 }
 
+// K: whole hundredths of a second, as of G04.
+bool Interpreter::cycle_dwell(double& seconds) {
+    std::int64_t hundredths = 0;
+    if (has('K') && !whole(*word('K'), hundredths)) return false;
+    seconds = static_cast<double>(hundredths) / 100.0;
+    return true;
+}
+
 // A point of a cycle is absolute, whatever G90 and G91 say; its ordinate counts as X does.
 Point Interpreter::cycle_point(char abscissa, char ordinate) {
     int p = -1, q = -1;
@@ -101,7 +109,7 @@ bool Interpreter::g_drilling(const GCode&) {
     hole.approach[q] = at.x;
     hole.surface = at.z;
     hole.bottom = at.z - distance('I');
-    hole.dwell = number('K') / 100.0;
+    if (!cycle_dwell(hole.dwell)) return false;
     if (number('B') > 0) {
         hole.peck = distance('B');
         hole.factor = number('R') > 0 ? number('R') : 1.0;
@@ -155,6 +163,7 @@ bool Interpreter::g_threading(const GCode& row) {
         if (entry > 5) return core_.fail(Alarm::FagorValueRange, 'H', "H", static_cast<double>(entry));
         thread.entry = static_cast<int>(entry);
     }
+    if (number('U') != 0 && number('U') != 1) return core_.fail(Alarm::FagorValueRange, 'U', "U", number('U'));
     thread.run_in = number('U') != 0;
     thread.spindle_deg = number('W');
     if (has('V')) {
@@ -187,7 +196,7 @@ bool Interpreter::g_grooving(const GCode& row) {
     groove.cutter = geometry > 0 ? values_.tool(ToolField::NoseWidth, static_cast<std::size_t>(geometry) % kTools) : 0.0;
     groove.step = has('C') ? distance('C') : groove.cutter;
     groove.safety = distance('D');
-    groove.dwell = number('K') / 100.0;
+    if (!cycle_dwell(groove.dwell)) return false;
     const double depth = groove.along_x ? groove.start.x - groove.end.x : groove.start.z - groove.end.z;
     const double width = std::fabs(groove.along_x ? groove.start.z - groove.end.z : groove.start.x - groove.end.x);
     if (std::fabs(depth) < 1e-9) return core_.fail(Alarm::FagorGrooveDepth, groove.along_x ? 'Q' : 'R');

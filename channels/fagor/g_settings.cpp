@@ -210,6 +210,7 @@ bool Interpreter::g_comp(const GCode& row) {
     loops_.clear();
     scanned_to_ = 0;
     scan_due_ = modal_.collision_blocks != 0;
+    if (modal_.comp == row.number) return true;   // the side is modal: what is active already begins nothing anew (8.2.3)
     modal_.comp = row.number;
     return core_.compensation(row.number == 41 ? CompSide::Left : CompSide::Right);
 }

@@ -177,7 +177,7 @@ private:
     void refresh_zero();
 
     // cycles (g_cycles.cpp, g_profile.cpp)
-    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters);
+    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters), cycle_dwell(double& seconds);
     cycles::Point cycle_point(char abscissa, char ordinate);
     cycles::Point cycle_call_point();
     bool begin_cycle_block();
@@ -222,7 +222,7 @@ private:
     Flow assign(const Target& to, double value, const char* at);
     Flow flow_of(Expression::Status status);
     Flow flow_fault(Alarm alarm, const char* at, std::size_t length = 1, std::string detail = {}, double value = 0.0);
-    Flow condition(const char*& at, const char* end);
+    Flow condition(const char*& at, const char* end), nothing_follows(const char*& at, const char* end);
     Flow error_statement(const char*& at, const char* end), message_statement(const char*& at, const char* end);
     Flow go_to(const char*& at, const char* end), repeat(const char*& at, const char* end);
     Flow call(const char*& at, const char* end, std::string_view how);

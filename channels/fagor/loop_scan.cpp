@@ -19,6 +19,7 @@ bool Interpreter::scan_loops() {
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
     cycles::ContourRecorder recorder(p, q);
+    recorder.only_plane = true;   // a block moves its other axes, whether it is left out or not
     Interpreter reader(core_.view(), recorder, core_.port(), *files_);
     const TextPosition back = source_->next_position();
     const std::vector<cycles::Element> elements = reader.record_ahead(*this, recorder, p, q, scanned_to_);

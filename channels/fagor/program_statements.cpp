@@ -39,6 +39,7 @@ Interpreter::Flow Interpreter::repeat(const char*& at, const char* end) {
     if (comma(at, end)) {
         if (const Flow flow = number_of_statement(at, end, 'P', program); flow != Flow::Done) return flow;
     }
+    if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     FileId file = frames_.back().file;
     if (program >= 0) {
         const auto found = find_program(program);
@@ -69,8 +70,9 @@ Interpreter::Flow Interpreter::call(const char*& at, const char* end, std::strin
     if (const Flow flow = number_of_statement(at, end, 0, number); flow != Flow::Done) return flow;
     LocalSet arguments{};
     std::uint32_t given = 0;
-    while (how != "CALL" && comma(at, end)) {
+    for (int count = 0; how != "CALL" && comma(at, end); ++count) {
         const char* const item = at;
+        if (count == 26) return flow_fault(Alarm::WordsTooMany, item);
         Target to;
         if (const Flow flow = target(at, end, to); flow != Flow::Done) return flow;
         if (to.row || to.number < 0 || to.number >= static_cast<std::int64_t>(kLocals)) return flow_fault(Alarm::MacroArgument, item, 1, target_name(to));
@@ -82,6 +84,7 @@ Interpreter::Flow Interpreter::call(const char*& at, const char* end, std::strin
         arguments[static_cast<std::size_t>(to.number)] = value;
         given |= 1u << to.number;
     }
+    if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     CallFrame frame;
     frame.given = given;
     if (how == "MCALL") {
@@ -102,13 +105,13 @@ Interpreter::Flow Interpreter::skip_definition(const char*& at, const char* end)
     if (const Flow flow = number_of_statement(at, end, 0, number); flow != Flow::Done) return flow;
     if (number > 20'000) return flow_fault(Alarm::FagorValueRange, begin, 1, "SUB", static_cast<double>(number));
     if (number >= 10'000 && !frames_.back().maker) return flow_fault(Alarm::FagorMakerSubroutine, begin, 1, std::to_string(number));
+    if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     std::string_view line;
     const std::uint32_t here = core_.at.line;
     while (source_->next(line) == LineSource::Status::Line) {
         const std::string_view statement = statement_of(line);
         if (!statement.starts_with("RET")) continue;
         jumped_ = true;
-        at = end;
         return Flow::Done;
     }
     fault_line_ = here;
@@ -120,6 +123,7 @@ Interpreter::Flow Interpreter::execute(const char*& at, const char* end, bool mo
     std::int64_t number = 0;
     if (const Flow flow = number_of_statement(at, end, 'P', number); flow != Flow::Done) return flow;
     if (comma(at, end) && !folder(at, end)) return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1, modal ? "MEXEC" : "EXEC");
+    if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     CallFrame frame;
     if (modal) {
         if (inside_modal_call()) return flow_fault(Alarm::FagorExecForbidden, begin, 1, "P" + std::to_string(number));
@@ -181,8 +185,7 @@ Interpreter::Flow Interpreter::write(const char*& at, const char* end) {
     if (modal_.writing < 0) return flow_fault(Alarm::FagorWriteClosed, at == end ? at - 1 : at, 1);
     blanks(at, end);
     const std::string_view block(at, static_cast<std::size_t>(end - at));
-    const std::size_t first = block.find_first_not_of(" \t");
-    const bool statement = first != std::string_view::npos && block[first] == '(';
+    const bool statement = block.substr(0, block.find(';')).find('(') != std::string_view::npos;   // behind skip signs and a label too
     for (WrittenProgram& program : modal_.written) {
         if (program.number != modal_.writing) continue;
         std::string text = *program.text + with_parameters(block, statement) + '\n';

@@ -105,10 +105,7 @@ Step Interpreter::statement_block() {
     const char* const end = line_.data() + block_.statement_end;
     const bool asks = !fresh_ && mentions_live_value(at, end), settles = !asks && axes_settle(at, end);
     Flow flow = asks || settles ? Flow::NeedsBarrier : run_statement(at, end, false);
-    if (flow == Flow::Done) {
-        blanks(at, end);
-        if (at != end && !called_ && !jumped_) flow = flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(end - at), std::string(at, end));
-    }
+    if (flow == Flow::Done) flow = nothing_follows(at, end);
     if (flow == Flow::NeedsBarrier) {
         reread_ = true;
         if (!settles) core_.asks_at(frames_.back().file, line_at_.offset);
@@ -118,6 +115,12 @@ Step Interpreter::statement_block() {
     }
     if (flow == Flow::Fault) return fault(core_.fault());
     return end_block(true, moves_before);
+}
+
+// One statement in a block (12). What jumps or calls asks before it does so: of a block that cannot be read nothing is done.
+Interpreter::Flow Interpreter::nothing_follows(const char*& at, const char* end) {
+    blanks(at, end);
+    return at == end ? Flow::Done : flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(end - at), std::string(at, end));
 }
 
 Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end, bool inside_if) {
@@ -153,6 +156,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end, b
     if (is("SUB")) return skip_definition(at, end);
     if (is("RET")) {
         if (frames_.back().kind != CallFrame::Kind::Subroutine) return flow_fault(Alarm::FagorReturn, begin, 3);
+        if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
         called_ = true;
         return return_from_frame() ? Flow::Done : Flow::Fault;
     }
@@ -250,16 +254,19 @@ Interpreter::Flow Interpreter::condition(const char*& at, const char* end) {
     double value = 0.0;
     if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
     const char* const otherwise = else_in(at, end);
+    if (otherwise != end) {
+        const char* second = else_in(otherwise + 4, end);
+        if (const Flow flow = nothing_follows(second, end); flow != Flow::Done) return flow;
+    }
     if (value == 0.0) {
         at = otherwise;
         if (at == end) return Flow::Done;
         at += 4;
         return run_statement(at, end, true);
     }
-    const Flow flow = run_statement(at, otherwise, true);
+    Flow flow = run_statement(at, otherwise, true);
+    if (flow == Flow::Done) flow = nothing_follows(at, otherwise);
     if (flow != Flow::Done) return flow;
-    blanks(at, otherwise);
-    if (at != otherwise && !jumped_ && !called_) return flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(otherwise - at), std::string(at, otherwise));
     at = end;
     return Flow::Done;
 }
@@ -345,10 +352,13 @@ Interpreter::Flow Interpreter::number_of_statement(const char*& at, const char* 
     double value = 0.0;
     const char* const begin = at;
     // A number stands for itself even where a constant of an expression would be too long.
-    if (at != end && is_digit(*at)) {
-        unsigned digits = 0;
-        for (; at != end && is_digit(*at) && digits < 9; ++at, ++digits) value = value * 10 + (*at - '0');
-    } else if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) {
+    unsigned digits = 0;
+    for (; at != end && is_digit(*at) && digits < 9; ++at, ++digits) value = value * 10 + (*at - '0');
+    const char* behind = at;
+    blanks(behind, end);
+    if (digits && (behind == end || std::string_view(".+-*/").find(*behind) == std::string_view::npos)) {
+        at = behind;
+    } else if (const Flow flow = evaluate(at = begin, end, value); flow != Flow::Done) {
         return flow;
     }
     if (value < 0 || value != std::nearbyint(value)) return flow_fault(Alarm::FagorValueRange, begin, 1, letter ? std::string(1, letter) : "the number", value);
@@ -360,6 +370,7 @@ Interpreter::Flow Interpreter::go_to(const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t label = 0;
     if (const Flow flow = number_of_statement(at, end, 'N', label); flow != Flow::Done) return flow;
+    if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     if (!jump_to(label)) return flow_fault(Alarm::SequenceNumberMissing, begin, 1, std::to_string(label));
     return Flow::Done;
 }

@@ -136,8 +136,10 @@ Access Interpreter::read_state(const Target& target, double& value) {
         case Var::PlaneAxes: {
             int p = -1, q = -1;
             core_.plane_axes(p, q);
-            const auto axis = [&](int place) { return place < 0 ? 0 : axis_number(view.axes[static_cast<std::size_t>(place)].name[0]); };
-            value = axis(p) * 16 + axis(q);
+            static constexpr int kBasic[][2] = {{1, 2}, {3, 1}, {2, 3}};   // G17 G18 G19: X = 1, Y = 2, Z = 3, on a machine without them too
+            const auto& basic = kBasic[static_cast<std::size_t>(path.plane)];
+            const auto axis = [&](int place, int named) { return place < 0 ? named : axis_number(view.axes[static_cast<std::size_t>(place)].name[0]); };
+            value = axis(p, basic[0]) * 16 + axis(q, basic[1]);
             return Access::Ok;
         }
         case Var::LengthAxis: {

@@ -76,24 +76,30 @@ std::string_view Expression::word() {
     return {p_, static_cast<std::size_t>(q - p_)};
 }
 
+void Expression::comments() {
+    comments_ = p_;
+    skip_comments(p_, end_);
+    behind_comments_ = p_;
+}
+
 Expression::Status Expression::finish(bool ok, const char*& at) {
-    at = p_;
+    at = ok && p_ == behind_comments_ ? comments_ : p_;
     return ok ? Status::Ok : needs_barrier_ ? Status::NeedsBarrier : Status::Fault;
 }
 
 Expression::Status Expression::evaluate(const char*& at, const char* end, double& value) {
-    p_ = at, end_ = end, depth_ = 0, needs_barrier_ = false;
+    read_from(at, end);
     return finish(comparison(value), at);
 }
 
 Expression::Status Expression::operand(const char*& at, const char* end, double& value) {
-    p_ = at, end_ = end, depth_ = 0, needs_barrier_ = false;
+    read_from(at, end);
     blanks();
     return finish(p_ != end_ && *p_ == '[' ? bracket(value) : variable(value), at);
 }
 
 Expression::Status Expression::variable_number(const char*& at, const char* end, std::int64_t& number) {
-    p_ = at, end_ = end, depth_ = 0, needs_barrier_ = false;
+    read_from(at, end);
     return finish(at_name() ? named(number) : number_of_variable(number), at);
 }
 

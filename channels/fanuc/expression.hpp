@@ -5,6 +5,9 @@
 //   product     * / AND MOD
 //   factor      number  #n  #[..]  [#NAME]  [..]  FUNCTION[..]  ATAN[y]/[x]
 //
+// A comment ( ... ) may stand wherever a blank may (fanuc_lathe 6.4). Those behind the expression are left to the caller: the one
+// behind #3000=n is the text of an alarm.
+//
 // Empty (NaN) survives only where it stands alone and in EQ and NE; everywhere else it counts as 0 (fanuc_lathe 6.2).
 #pragma once
 #include <cmath>
@@ -14,6 +17,7 @@
 
 #include "channels/fanuc/variable_names.hpp"
 #include "channels/fanuc/variables.hpp"
+#include "channels/text/chars.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -54,8 +58,17 @@ private:
     bool named(std::int64_t& number);
     bool fail(Alarm alarm, std::string detail = {}, double value = 0.0);
     bool in_range(double value);
-    void blanks() { while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_; }
+    void blanks() {
+        channels::blanks(p_, end_);
+        if (p_ != end_ && *p_ == '(') comments();
+    }
+    void comments();
     std::string_view word();      // letters at p_, not consumed
+    void read_from(const char* at, const char* end) {
+        p_ = at, end_ = end, behind_comments_ = nullptr;
+        depth_ = 0;
+        needs_barrier_ = false;
+    }
     Status finish(bool ok, const char*& at);
 
     VariableSet* variables_;
@@ -64,6 +77,8 @@ private:
     bool short_constants_;        // eight digits, 0.0000001 to 99999999 (fanuc_lathe 6.4)
     const char* p_ = nullptr;
     const char* end_ = nullptr;
+    const char* comments_ = nullptr;          // the last ones that were skipped: where they begin
+    const char* behind_comments_ = nullptr;   // and what stands behind them
     unsigned depth_ = 0;
     double round_step_ = 1.0;
     bool needs_barrier_ = false;

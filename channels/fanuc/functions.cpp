@@ -338,15 +338,16 @@ bool Interpreter::wait_code(const Word& word) {
     std::uint32_t channels = 0;
     if (block_.has('P')) {
         const Word& p = block_.word('P');
-        const std::string_view text = text_of(p);
-        const bool list = text.find('.') != std::string_view::npos && !p.from_expression;
-        std::string digits = p.from_expression ? fmt::format("{:.0f}", p.value) : std::string(text.substr(1));
+        std::string digits = p.from_expression ? fmt::format("{:.0f}", p.value) : std::string(text_of(p).substr(1));
+        for (std::size_t open; (open = digits.find('(')) != std::string::npos;) digits.erase(open, digits.find(')', open) - open + 1);
+        const bool list = digits.find('.') != std::string::npos;
         const auto add = [&](unsigned channel) {
             if (channel < 1 || channel > kMaxChannels || !machine.channel(channel).exists())
                 return core_.fail(Alarm::WaitSetIllegal, 'P', std::to_string(channel), word.value);
             channels |= 1u << (channel - 1);
             return true;
         };
+        if (digits.find('-') != std::string::npos) return core_.fail(Alarm::WaitSetIllegal, 'P', digits, word.value);
         unsigned number = 0;
         bool any = false;
         for (const char c : digits) {

@@ -8,9 +8,15 @@
 namespace polyturn::channels::fanuc {
 namespace {
 
+// Past blanks and comments, which may stand in a statement wherever blanks may (fanuc_lathe 6.4).
+void gap(const char*& at, const char* end) {
+    blanks(at, end);
+    if (at != end && *at == '(') skip_comments(at, end);
+}
+
 // Takes the word at `at` if it is `name`, or two and more of its first letters where no further letter stands (WH for WHILE).
 bool take(const char*& at, const char* end, std::string_view name) {
-    blanks(at, end);
+    gap(at, end);
     const char* p = at;
     std::size_t letters = 0;
     while (letters < name.size() && p != end && capital(*p) == name[letters]) ++p, ++letters;
@@ -108,10 +114,9 @@ Step Interpreter::macro_statement(std::size_t from) {
     behind_ = next;
     Flow flow = run_statement(at, end);
     if (flow == Flow::Done && !jumped_) {
-        blanks(at, end);
-        if (at != end && *at == '(') comment_text(at, end);
-        blanks(at, end);
-        if (at != end && *at != ';') flow = flow_fault(Alarm::MacroFormat, at, std::string(at, end));
+        gap(at, end);
+        if (at != end && *at == '(') flow = flow_fault(Alarm::CommentOpen, at);
+        else if (at != end && *at != ';') flow = flow_fault(Alarm::MacroFormat, at, std::string(at, end));
         else column_ = next;
     }
     if (flow == Flow::NeedsBarrier) {
@@ -132,7 +137,7 @@ Step Interpreter::macro_statement(std::size_t from) {
 }
 
 Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
-    blanks(at, end);
+    gap(at, end);
     if (at == end) return Flow::Done;
     if (*at == '#' || *at == '[') return assignment(at, end);
     const char* const begin = at;
@@ -142,7 +147,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
         if (take(at, end, "GOTO")) {
             if (holds) return jump(at, end);
             double ignored = 0.0;
-            blanks(at, end);
+            gap(at, end);
             return at != end && (*at == '#' || *at == '[') ? flow_of(expression_.operand(at, end, ignored)) : evaluate(at, end, ignored);
         }
         if (!take(at, end, "THEN")) return flow_fault(Alarm::MacroFormat, at, "IF without GOTO or THEN");
@@ -150,7 +155,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
             at = end;
             return Flow::Done;
         }
-        blanks(at, end);
+        gap(at, end);
         const char* word = at;
         if (at == end || take(word, end, "IF") || take(word, end, "WHILE") || take(word, end, "DO") || take(word, end, "END"))
             return flow_fault(Alarm::MacroFormat, at, "THEN takes one statement, and no loop");
@@ -198,7 +203,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
 }
 
 Interpreter::Flow Interpreter::condition(const char*& at, const char* end, bool& holds) {
-    blanks(at, end);
+    gap(at, end);
     if (at == end || *at != '[') return flow_fault(Alarm::BracketMissing, at);
     double value = 0.0;
     const Flow flow = flow_of(expression_.operand(at, end, value));
@@ -207,7 +212,7 @@ Interpreter::Flow Interpreter::condition(const char*& at, const char* end, bool&
 }
 
 Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std::uint8_t& number) {
-    blanks(at, end);
+    gap(at, end);
     const char* const begin = at;
     double value = 0.0;
     if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
@@ -220,7 +225,7 @@ Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std
 std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
     const char* at = line.data();
     const char* const end = at + line.size();
-    blanks(at, end);
+    gap(at, end);
     while (at != end && *at == '/') {
         ++at;
         while (at != end && ((*at >= '0' && *at <= '9') || *at == ' ')) ++at;
@@ -233,7 +238,9 @@ std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
     if (!ends) {
         if (take(at, end, "WHILE")) {
             int depth = 0;
-            for (blanks(at, end); at != end; ++at) {
+            for (gap(at, end); at != end; ++at) {
+                if (*at == '(') at = std::find(at, end, ')');
+                if (at == end) break;
                 if (*at == '[') ++depth;
                 if (*at == ']' && --depth == 0) break;
             }
@@ -241,7 +248,7 @@ std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
         }
         if (!take(at, end, "DO")) return 0;
     }
-    blanks(at, end);
+    gap(at, end);
     return at != end && *at >= '1' && *at <= '3' ? static_cast<std::uint8_t>(*at - '0') : 0;
 }
 
@@ -317,7 +324,7 @@ Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) 
 }
 
 Interpreter::Flow Interpreter::jump(const char*& at, const char* end) {
-    blanks(at, end);
+    gap(at, end);
     const char* const begin = at;
     double value = 0.0;
     const Flow flow = evaluate(at, end, value);
@@ -339,7 +346,7 @@ Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t number = 0;
     if (const Flow flow = flow_of(expression_.variable_number(at, end, number)); flow != Flow::Done) return flow;
-    blanks(at, end);
+    gap(at, end);
     if (at == end || *at != '=') return flow_fault(Alarm::MacroFormat, at == end ? begin : at, "= is missing");
     ++at;
     if ((number == 3001 || number == 3002) && !fresh_ && !inputs_fresh_) return Flow::NeedsBarrier;   // a clock is set when the machine has come here

@@ -12,4 +12,15 @@ constexpr void blanks(const char*& at, const char* end) {
     while (at != end && (*at == ' ' || *at == '\t')) ++at;
 }
 
+// Past comments in round brackets and the blanks around them; one that does not end stays.
+constexpr void skip_comments(const char*& at, const char* end) {
+    while (at != end && *at == '(') {
+        const char* p = at;
+        while (p != end && *p != ')') ++p;
+        if (p == end) return;
+        at = p + 1;
+        blanks(at, end);
+    }
+}
+
 }  // namespace polyturn::channels

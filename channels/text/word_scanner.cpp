@@ -119,6 +119,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
         }
         ++p;
         while (p != end && (*p == ' ' || *p == '\t')) ++p;
+        if (p != end && *p == '(') skip_comments(p, end);
         if (p != end && *p == '=' && (word.axis >= 0 || word.address == 'P')) ++p;
         if (p != end && word.axis < 0 && kind_of(*p) == Kind::Letter) {
             // Two letters in a row: a control word of the macro language, or an address without a number.
@@ -129,6 +130,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
         const char* q = p;
         if (q != end && (*q == '-' || *q == '+')) ++q;
         while (q != end && *q == ' ') ++q;
+        if (q != end && *q == '(') skip_comments(q, end);
         if (q != end && (*q == '#' || *q == '[')) {
             word.from_expression = true;
             word.has_point = true;

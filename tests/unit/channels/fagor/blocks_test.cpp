@@ -117,6 +117,10 @@ TEST(FagorBlock, RefusesByName) {
         {"G152\nG00 X50 Z-5\nG68 X20 Z0 C2 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},       // [part 2, 9.2]
         {"G152\nG00 X50 Z0.2\nG68 X20 Z0 C2 M0.3 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},
         {"G152\nG00 X20 Z5\nG69 X30 Z-10 C2 S1 E2\nM30\nN1 G01 X20\nN2 X10 Z0", Alarm::FagorCyclePosition, "\"line\":3"},          // [part 2, 9.3]
+        {"G83 X0 Z0 I20 B5 K1.5", Alarm::PointForbidden, "\"column\":18"},                                      // [part 2, 1] hundredths, whole ones
+        {"G88 X30 Z0 Q20 R-5 C2 K1.5", Alarm::PointForbidden, "\"line\":1"},
+        {"G89 X30 Z0 Q20 R-5 C2 K1.5", Alarm::PointForbidden, "\"line\":1"},
+        {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 U2", Alarm::FagorValueRange, "U"},                                       // [part 2, 9.9.5] 0 or 1
         {"G152\nG00 X10 Z10\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
     };
     for (const Refusal& row : rows) {
@@ -146,6 +150,49 @@ TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG41 G01 X10 Z20 F100\nZ0\nG40 Z0\nX20", 0), "10,20 8,20 8,0 10,0 20,0");
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 0), "10,20 12,20 12,2 30,0");
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,18 10,0 30,0");
+}
+
+Played with_round_nose(std::string_view contour) {
+    const std::string program = "G18 G71 G90 G94 G152\nT1 D1\nG0 X60 Z40\n" + std::string(contour) + "\nG40 X80\nM30\n";
+    return play(program, fagor({"FG.COMPMODE=2"}), [](MachineView& view) {
+        view.store->offsets[1].geometry_r = 2;
+        view.store->offsets[1].tip = 0;
+    });
+}
+
+// [8.2.3, 8.2.5] modal: the side that is active already begins nothing anew, an inner corner stays the intersection.
+TEST(FagorCompensation, TheSameSideAgainChangesNothing) {
+    const std::string as_ever = "60,40 32,10 32,-18 60,-18 80,-20";
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nZ-20\nX60")), as_ever);
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nG42 Z-20\nG42 X60")), as_ever);
+    EXPECT_EQ(points(with_round_nose("G42 G1 X30 Z10 F100\nG42\nZ-20\nG42\nX60")), as_ever);
+}
+
+// [8.3] an axis beside the plane ends no search, and moves where its block is left out.
+TEST(FagorCompensation, ALoopMayHaveBlocksOfOtherAxes) {
+    const std::string contour = "G42 N5 G1 X30 Z10 F100\nZ0\nX29\nZ-1\nX30\nZ-20";
+    const Played plain = with_round_nose(contour);
+    EXPECT_EQ(plain.errors, 0u) << plain.events;
+    const Played turned = with_round_nose("G42 N5 G1 X30 Z10 F100\nZ0\nX29 C30\nZ-1\nX30 C60\nZ-20");
+    EXPECT_EQ(turned.errors, 0u) << turned.events;
+    EXPECT_EQ(points(turned), "60,40 32,10 32,0 32,0 32,0 32,-20 80,-20");
+    EXPECT_TRUE(turned.has({"\"ev\":\"move\"", "\"C\":30"})) << turned.events;
+    EXPECT_TRUE(turned.has({"\"ev\":\"move\"", "\"C\":60"})) << turned.events;
+    EXPECT_TRUE(turned.has({"\"ev\":\"alarm\"", std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << turned.events;
+}
+
+// [8.3] a groove that the nose does not fit into is left out, with one warning, however deep it is.
+TEST(FagorCompensation, AGrooveNarrowerThanTheNoseIsPassedOver) {
+    for (const char* groove : {"X25\nZ-2\nX30", "X28\nZ-2\nX30", "X25 Z-1\nX30 Z-2"}) {
+        const Played played = with_round_nose("G42 N10 G1 X30 Z10 F100\nZ0\n" + std::string(groove) + "\nZ-20");
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        EXPECT_EQ(points(played), "60,40 32,10 32,0 32,-20 80,-20") << groove;
+        unsigned warnings = 0;
+        for (const std::string& line : played.lines()) warnings += line.find(std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))) != std::string::npos;
+        EXPECT_EQ(warnings, 1u) << played.events;
+    }
+    const Played shoulder = with_round_nose("G42 N10 G1 X28 Z10 F100\nZ0\nX24\nZ-2\nX31\nZ-20");
+    EXPECT_EQ(points(shoulder), "60,40 30,10 30,0 33,0 33,-20 80,-20") << shoulder.events;
 }
 
 }  // namespace

@@ -69,6 +69,63 @@ TEST(ContourLoops, TheNoseDoesNotFitIntoASmallArc) {
     EXPECT_TRUE(find_loops(all, 0.9, kRight, 3).empty());
 }
 
+// Between two inner corners a line shorter than what they take runs backwards: it is no place for the nose however deep it lies.
+TEST(ContourLoops, ADeepGrooveNarrowerThanTheNoseIsLeftOut) {
+    const auto deep = find_loops(lines({{10, 30}, {0, 30}, {0, 20}, {-2, 20}, {-2, 30}, {-20, 30}}), 2.0, kRight, 10);
+    ASSERT_EQ(deep.size(), 1u);
+    EXPECT_EQ(deep[0].before, 0u);
+    EXPECT_EQ(deep[0].after, 4u);
+    EXPECT_FALSE(deep[0].meeting);
+    const auto vee = find_loops(lines({{10, 30}, {0, 30}, {-1, 25}, {-2, 30}, {-20, 30}}), 2.0, kRight, 10);
+    ASSERT_EQ(vee.size(), 1u);
+    EXPECT_EQ(vee[0].after, 3u);
+    EXPECT_TRUE(find_loops(lines({{10, 30}, {0, 30}, {-10, 25}, {-20, 30}, {-30, 30}}), 2.0, kRight, 10).empty());
+    EXPECT_TRUE(find_loops(lines({{10, 30}, {0, 30}, {0, 20}, {-4, 20}, {-4, 30}, {-20, 30}}), 2.0, kRight, 10).empty());   // as wide as the nose
+}
+
+TEST(ContourLoops, AConcaveChainOfShortLinesEndsWhereTheLongOnesMeet) {
+    // A corner with a chamfer of 1 mm: 45 degrees take .83 at each end of 1.41.
+    const auto chamfer = find_loops(lines({{10, 30}, {-19, 30}, {-20, 31}, {-20, 60}}), 2.0, kRight, 10);
+    ASSERT_EQ(chamfer.size(), 1u);
+    EXPECT_EQ(chamfer[0].after, 2u);
+    ASSERT_TRUE(chamfer[0].meeting);
+    EXPECT_NEAR(chamfer[0].meeting->z, -20.0, 1e-9);
+    EXPECT_NEAR(chamfer[0].meeting->x, 30.0, 1e-9);
+    // Three times 30 degrees, which take .80: the second step of 1.4 is too short, and without it so is the first of 1.7: one loop.
+    const auto chain = find_loops(lines({{10, 30}, {-18, 30}, {-19.472, 30.85}, {-20.172, 32.062}, {-20.172, 60}}), 3.0, kRight, 10);
+    ASSERT_EQ(chain.size(), 1u);
+    EXPECT_EQ(chain[0].before, 0u);
+    EXPECT_EQ(chain[0].after, 3u);
+    ASSERT_TRUE(chain[0].meeting);
+    EXPECT_NEAR(chain[0].meeting->z, -20.172, 1e-9);
+    EXPECT_NEAR(chain[0].meeting->x, 30.0, 1e-9);
+}
+
+TEST(ContourLoops, AGrooveBetweenTwoDiametersKeepsItsHigherShoulder) {
+    const auto up = find_loops(lines({{10, 28}, {0, 28}, {0, 24}, {-2, 24}, {-2, 31}, {-20, 31}}), 2.0, kRight, 10);
+    ASSERT_EQ(up.size(), 1u);
+    EXPECT_EQ(up[0].before, 0u);
+    EXPECT_EQ(up[0].after, 3u);
+    ASSERT_TRUE(up[0].meeting);
+    EXPECT_NEAR(up[0].meeting->z, -2.0, 1e-9);
+    EXPECT_NEAR(up[0].meeting->x, 28.0, 1e-9);
+    const auto down = find_loops(lines({{10, 31}, {0, 31}, {0, 24}, {-2, 24}, {-2, 28}, {-20, 28}}), 2.0, kRight, 10);
+    ASSERT_EQ(down.size(), 1u);
+    EXPECT_EQ(down[0].before, 1u);
+    EXPECT_EQ(down[0].after, 4u);
+    ASSERT_TRUE(down[0].meeting);
+    EXPECT_NEAR(down[0].meeting->z, 0.0, 1e-9);
+    EXPECT_NEAR(down[0].meeting->x, 28.0, 1e-9);
+}
+
+// G00 suspends compensation (8.2.7): the way back is no part of the contour, and what it crosses is none of its loops.
+TEST(ContourLoops, ARapidMoveEndsAContour) {
+    auto all = lines({{10, 30}, {-20, 30}, {-20.5, 30.5}, {-20.5, 60}, {0, 60}, {0, 20}});
+    for (std::size_t k = 3; k < all.size(); ++k) all[k].rapid = true;
+    all[2].rapid = true;
+    EXPECT_TRUE(find_loops(all, 2.0, kRight, 10).empty());
+}
+
 TEST(ContourLoops, AClosedContourIsNoLoop) {
     EXPECT_TRUE(find_loops(lines({{0, 10}, {-20, 10}, {-20, -10}, {0, -10}, {0, 10}}), 3.0, kRight, 50).empty());
 }

@@ -42,6 +42,11 @@ TEST(FagorStatement, RunsWhatItNames) {
     EXPECT_TRUE(run("N1 (P100=P100+1)\nN2 (P102=0)\n(IF (P100 EQ 1) RPT N1, N2) N3\nM30\n").has({"P100", ":4"}));   // its count stands behind the bracket
     EXPECT_TRUE(run("(P101=2.5)\n(OPEN P7)\n(WRITE (P100=?P101))\n(EXEC P7)\nM30\n").has({"P100", ":2.5"}));        // [12.7]
     EXPECT_TRUE(run("(OPEN P7)\n(WRITE (P101=5))\n(WRITE M30)\n(WRITE (P101=6))\n(EXEC P7)\n(P100=P101)\nM30\n").has({"P100", ":5"}));   // its M30 leads back
+    // A labelled or skippable block is a statement too: only what stands behind ? is replaced.
+    EXPECT_TRUE(run("(P100=4)\n(OPEN P7)\n(WRITE N10 (P100=P100+1))\n(EXEC P7)\nM30\n").has({"P100", ":5"}));
+    EXPECT_TRUE(run("(P100=4)\n(P101=2)\n(OPEN P7)\n(WRITE /2 N10 (P100=P100+?P101))\n(EXEC P7)\nM30\n").has({"P100", ":6"}));
+    EXPECT_TRUE(run("(P101=7)\n(OPEN P7)\n(WRITE N10 G00 XP101 ;(KEPT))\n(P101=8)\n(EXEC P7)\nM30\n").has({"\"ev\":\"move\"", "\"X\":7"}));
+    EXPECT_TRUE(run("(P101=3)\n(CALL 1+2)\n(CALL P101)\nM30\n(SUB 3)\n(P100=P100+1)\n(RET)\n").has({"P100", ":2"}));   // [12.5] a number or an expression
     EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
     EXPECT_TRUE(run("(ERROR 77, \"NO BAR\")\nM30\n").has({"alarm", ":77", "NO BAR"}));
     EXPECT_TRUE(run("(P101=1, P102=POSX)\n(P101=P101+1, P102=POSX)\n(P100=P101)\nM30\n").has({"P100", ":2"}));      // once, though it waits
@@ -61,6 +66,35 @@ TEST(FagorStatement, RefusesByName) {
     for (const auto& [program, alarm] : rows) {
         const Played played = run(program);
         EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", std::string(alarm_number(alarm, Dialect::Fagor))})) << program << "\n" << played.events;
+    }
+}
+
+// One statement in a block, and nothing else in it [12]; of what cannot be read nothing is done.
+TEST(FagorStatement, RefusesWordsBehindAJumpOrCall) {
+    std::string arguments = "(PCALL 5";
+    for (int i = 0; i < 27; ++i) arguments += ",A1";
+    const std::pair<std::string, Alarm> rows[] = {
+        {"(CALL 5,A1)", Alarm::FagorStatement}, {"(PCALL 5 A1)", Alarm::FagorStatement}, {"(PCALL 5,A1 B2)", Alarm::FagorStatement}, {"(MCALL 5 A1)", Alarm::FagorStatement},
+        {"(RPT N5,N6 N3)", Alarm::FagorStatement}, {"(GOTO N5,N6)", Alarm::FagorStatement}, {"(GOTO N5 P1=3)", Alarm::FagorStatement}, {"(CALL 5 X)", Alarm::FagorStatement},
+        {"(IF (1 EQ 1) CALL 5 FOO ELSE CALL 6)", Alarm::FagorStatement}, {"(IF (1 EQ 1) CALL 5 ELSE CALL 6 ELSE CALL 5)", Alarm::FagorStatement},
+        {"(IF (1 EQ 0) CALL 5 ELSE CALL 6 ELSE CALL 5)", Alarm::FagorStatement}, {"(IF (1 EQ 1) P1=1 ELSE P1=2 ELSE P1=3)", Alarm::FagorStatement},
+        {"(CALL 5.5)", Alarm::FagorValueRange}, {"(GOTO N5.5)", Alarm::FagorValueRange}, {arguments + ")", Alarm::WordsTooMany}, {"(EXEC P7 X)", Alarm::FagorStatement},
+        {"(MDOFF 5)", Alarm::FagorStatement},
+    };
+    for (const auto& [statement, alarm] : rows) {
+        const Played played = run("(OPEN P7)\n" + statement + "\nN5 (P100=1)\nN6 (P100=2)\nM30\n(SUB 5)\n(P100=3)\n(RET)\n(SUB 6)\n(P100=4)\n(RET)\n");
+        EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", std::string(alarm_number(alarm, Dialect::Fagor)), "\"line\":2"})) << statement << "\n" << played.events;
+        EXPECT_FALSE(played.has({"P100"})) << statement << "\n" << played.events;
+    }
+    EXPECT_TRUE(run("(CALL 1)\nM30\n(SUB 1)\n(RET 5)\n").has({"\"ev\":\"alarm\"", std::string(alarm_number(Alarm::FagorStatement, Dialect::Fagor)), "\"line\":4"}));
+}
+
+// [11.2.14] axis numbers: 1 = X, 2 = Y, 3 = Z, whether the machine has the axis or not.
+TEST(FagorVariable, PlaneNamesItsAxesByNumber) {
+    const std::pair<std::string_view, std::string_view> rows[] = {{"G17", ":18"}, {"G18", ":49"}, {"G19", ":35"}};
+    for (const auto& [plane, value] : rows) {
+        const Played played = run(std::string(plane) + "\n(P100=PLANE)\nM30\n");
+        EXPECT_TRUE(played.has({"P100", std::string(value)})) << plane << "\n" << played.events;
     }
 }
 

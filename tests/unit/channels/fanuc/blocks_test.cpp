@@ -156,6 +156,8 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"N1.5 X1.", "7", 1, 1},
         {"O1.5", "7", 1, 1},
         {"M520 P13", R"("PT1037")", 1, 6},                // no channel 3
+        {"M520 P-12", R"("PT1037")", 1, 6},               // nor any of a negative number
+        {"#1=-12\nM520 P#1", R"("PT1037")", 2, 6},
         {"M520 P2", R"("PT1038")", 1, 6},
         {"G65 A1.", "76", 1, 1},
         {"%\nO1\nG0 X1.", "5010", 3, 1},                  // no closing %

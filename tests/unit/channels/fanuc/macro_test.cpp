@@ -90,6 +90,34 @@ TEST(MacroFlow, LoopsJumpsAndConditions) {
     EXPECT_TRUE(skip.has({"#102"}));
 }
 
+// Round brackets are comments (fanuc_lathe 6.4), wherever a blank may stand.
+TEST(MacroComment, MayStandAnywhereInAStatement) {
+    const std::pair<std::string_view, std::string_view> rows[] = {
+        {"#100=2+3(ABC)+4", "9"}, {"#100(DEPTH)=5", "5"}, {"#(NUMBER)100=5", "5"}, {"#100=(A)5", "5"}, {"#100=-(A)5", "-5"}, {"#100=SIN(HALF)[30]", "0.5"},
+        {"#100=[(A)2(B)+(C)3(D)](E)*(F)2 (G)", "10"}, {"#100=ATAN[1](A)/(B)[1]", "45"}, {"#1=3\n#100=#(A)1(B)(C)+1", "4"}, {"#100=7(LAST)", "7"},
+        {"IF [1 EQ (ONE) 1] THEN #100=1", "1"}, {"IF (A) [1 EQ 1] THEN (ABC) #100=2", "2"}, {"#100=1\nIF [1 EQ 1] (ABC) GOTO (LABEL) 5\n#100=2\nN5", "1"},
+        {"#1=0\nWHILE [#1 LT 2] (LOOP) DO (ONE) 1\n#1=#1+1\n#100=#1\nEND (ONE) 1", "2"}, {"#100=1\nWHILE (A]) [1 EQ 0] (LOOP) DO 1\n#100=2\nEND1", "1"},
+        {"(A) N10 (B) #100=5", "5"},
+    };
+    for (const auto& [program, value] : rows) {
+        SCOPED_TRACE(std::string(program));
+        const Played played = play(std::string(program) + "\nM30\n");
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        std::string last;
+        for (const std::string& line : played.lines())
+            if (line.find(R"("name":"#100")") != std::string::npos) last = line;
+        EXPECT_NE(last.find(R"("value":)" + std::string(value) + "}"), std::string::npos) << last;
+    }
+    for (const char* x : {"G0 X[10+(A)5]", "G0 X(A)15.", "G0 X(A)[15]", "G0 X-(A)[-15]", "G0 X - (A) -15."}) {
+        const Played played = play(std::string(x) + "\nM30\n");
+        EXPECT_EQ(played.has({R"("pos":{"X":15,)"}), std::string_view(x) != "G0 X - (A) -15.") << x << played.events;
+    }
+    const Played text = play("#3006=1(A)(B)\n#3000(NUMBER)=7(CHUCK OPEN)\nM30\n");
+    EXPECT_TRUE(text.has({R"("number":"3007")", "CHUCK OPEN"}) || text.has({R"("number":3007)", "CHUCK OPEN"})) << text.events;
+    EXPECT_TRUE(text.has({R"("ev":"message")", R"("A")"})) << text.events;
+    EXPECT_EQ(play("#100=2+(ABC\nM30\n").errors, 1u);   // a comment that does not end
+}
+
 TEST(MacroValue, MayBeAsSmallAsTheControlCounts) {   // fanuc_lathe 6.1: 0 and 1E-29 to 1E47
     const Played played = play("#1=.0000001*.0000001*.0000001*.0000001\n#100=#1*10\n#101=#1-#1\nM30\n");
     EXPECT_EQ(played.errors, 0u) << played.events;
