@@ -185,6 +185,7 @@ bool Interpreter::return_from_level() {
     source_ = &files_->source(levels_.back().file);
     source_->seek(done.resume);
     here_ = done.call;
+    modal_.holes = done.holes;
     if (done.interrupt) {
         core_.path.programmed = done.begin_of_block;
         arm_interrupts();   // no signal counts while the routine runs

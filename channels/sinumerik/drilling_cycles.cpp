@@ -2,6 +2,7 @@
 // manual names them and says that they must be understood (sinumerik_part1 4.3); what their parameters mean is the control's own:
 //   RTP retract plane, RFP surface, SDIS distance in front of it (no sign), DP bottom or DPR depth below RFP (no sign), DTB dwell in
 //   seconds (negative: revolutions), FFR and RFF feeds in and out. Lengths lie along the axis that stands on the working plane.
+#include <algorithm>
 #include <cmath>
 
 #include "channels/angles.hpp"
@@ -87,24 +88,29 @@ bool Interpreter::drill_at(double p_mm, double q_mm) {
     target[q] = q_mm;
     core_.at.cycle = {};
     if (!within_areas(target) || !core_.rapid(target)) return false;
-    return !modal_.call || modal_cycle();
+    return !modal_.call || !modal_.call->cycle || modal_cycle();
 }
 
 // HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): from a point along a line; HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): round a centre, INDA 0: evenly.
 bool Interpreter::p_holes(Call& c) {
     const bool line = block_.procedures.front().first->name == "HOLES1";
+    const bool program = modal_.call && !modal_.call->cycle;
+    if (at_hole_) c.arguments = at_hole_->arguments;
     const double count = c.number(5);
     if (!needs_plane()) return false;
     if (!(count >= 1 && count <= 10'000) || count != std::floor(count)) return fail(Alarm::CycleValueIllegal, "NUM", count);
-    if (modal_.call && !modal_.call->cycle) return fail(Alarm::NotBuilt, "MCALL " + modal_.call->name + ", HOLES1, HOLES2");
     const double p = c.number(0) * unit(), q = c.number(1) * unit();
     const double step = c.number(4) != 0 ? c.number(4) : 360.0 / count;
-    for (int k = 0; k < static_cast<int>(count); ++k) {
+    const auto holes = static_cast<int>(count);
+    const int first = at_hole_ ? at_hole_->hole + 1 : 0;
+    const bool one = program && std::ranges::none_of(levels_, &Level::modal_call);
+    for (int k = first; k < (one ? first + 1 : holes); ++k) {
         const double angle = (line ? c.number(2) : c.number(3) + k * step) * kDegree;
         const double way = (line ? c.number(3) + k * c.number(4) : c.number(2)) * unit();
         if (!drill_at(p + way * std::cos(angle), q + way * std::sin(angle))) return false;
     }
-    moves_before_ = core_.moves();   // MCALL has had its turn
+    if (one) at_hole_ = std::make_shared<const HolePattern>(HolePattern{c.arguments, first, holes});   // after_block() calls
+    else moves_before_ = core_.moves();   // MCALL has had its turn
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "channels/text/word_scanner.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -191,6 +192,7 @@ Step Interpreter::read_block() {
         }
         core_.at.serial = ++serial_;
         if (keep_states_) note_resume_point();
+        at_hole_ = std::exchange(modal_.holes, nullptr);
         std::string_view line;
         switch (source_->next(line)) {
             case LineSource::Status::Line: break;
@@ -331,9 +333,14 @@ Step Interpreter::after_block(bool ok) {
         fresh_ = false;
         core_.end_block();
     }
-    if (!ended_ && !called_ && modal_.call && !modal_.call->cycle && core_.moves() != moves_before_) {
+    const bool calls = modal_.call && !modal_.call->cycle && std::ranges::none_of(levels_, &Level::modal_call);   // nothing that it calls calls it
+    if (!ended_ && !called_ && calls && (core_.moves() != moves_before_ || at_hole_)) {
         const ModalCall call = *modal_.call;
         if (!call_program(call.name, call.arguments, 1, true)) return fault(core_.fault());
+        if (at_hole_ && at_hole_->more()) {   // behind it the block of the pattern comes again
+            levels_.back().resume = here_;
+            levels_.back().holes = at_hole_;
+        }
     }
     if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;
     if (ended_) return Step::Ended;

@@ -498,6 +498,7 @@ private:
     // the block
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, reread_ = false, fresh_ = true, needs_barrier_ = false;
     bool called_ = false;
+    std::shared_ptr<const HolePattern> at_hole_;                 // of this block: MCALL calls a program at each hole
     std::uint64_t managed_serial_ = 0;                           // of the block whose T has been executed before the rest of it
     std::uint64_t moves_before_ = 0;
     std::size_t fault_column_ = 0, fault_length_ = 0;

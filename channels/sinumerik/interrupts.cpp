@@ -4,6 +4,7 @@
 // there and the routine is called as if it stood before that block; behind the routine the block is read again, so that what
 // is left of it is driven from where the routine has left the axes.
 #include <cmath>
+#include <utility>
 
 #include "channels/sinumerik/interpreter.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
@@ -105,6 +106,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     if (!call_program(program, {}, 1, false)) return false;
     levels_.back().interrupt = true;
     levels_.back().begin_of_block = begin;
+    levels_.back().holes = std::exchange(modal_.holes, nullptr);   // the pattern goes on behind the routine
     called_ = jumped_ = reread_ = false;
     managed_serial_ = 0;
     fresh_ = state_changed_ = true;

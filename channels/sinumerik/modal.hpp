@@ -24,6 +24,13 @@ struct ModalCall {
     const Command* cycle = nullptr;   // null: a program
 };
 
+// HOLES1, HOLES2 under MCALL of a program: its block is read again for each hole, the values are those of the first time.
+struct HolePattern {
+    std::vector<Argument> arguments;
+    int hole = 0, count = 0;          // the one where the tool stands, from 0
+    bool more() const { return hole + 1 < count; }
+};
+
 // TRAILON: way of `follows` = factor * way of `leads`. LEADON: its place is what the table says of the place of `leads`.
 struct Trail {
     std::size_t follows = 0, leads = 0;
@@ -96,6 +103,7 @@ struct Modal {
     bool corner_feed_stale = false;   // FRCM belongs to another feed type
     std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
     std::optional<ModalCall> call;
+    std::shared_ptr<const HolePattern> holes;   // what the next block goes on with
     std::int64_t last_number = 0;
     std::optional<CurveDefinition> curve;   // between CTABDEF and CTABEND
     AxisValues before_curve{};              // what was programmed before it
@@ -111,6 +119,7 @@ struct Level {
     std::int64_t repeats = 0;         // runs still to come after this one
     bool section = false, block_only = false;   // REPEAT, REPEATB
     bool modal_call = false;          // called by MCALL
+    std::shared_ptr<const HolePattern> holes;   // called at a hole, others are to come
     bool interrupt = false;           // called by an interrupt: the block behind it is read again
     AxisValues begin_of_block{};      // its increments count from here
     bool save = false;                // PROC ... SAVE: modal state comes back

@@ -102,6 +102,39 @@ TEST(SinumerikFlow, SubprogramsTakeValuesAndReferencesAndReturnAnywhere) {
     EXPECT_EQ(last_value(played, "R9"), "2");
 }
 
+// What MCALL calls may move: its own blocks call nothing.
+TEST(SinumerikFlow, AModalProgramThatMovesCallsItselfNotAgain) {
+    Files files;
+    files.add("SUBP.SPF", "G91 G0 Z-1\nG90\nINNER\nM17\n");
+    files.add("INNER.SPF", "R1=R1+1\nG0 X30\nM17\n");
+    const Played played = run("G0 X10 Z10\nMCALL SUBP\nX20\nX25\nMCALL\nX40\nM30\n", files.setup);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R1"), "2");
+    EXPECT_TRUE(played.has({R"("line":3)", R"("X":20,"Z":10)"})) << played.events;
+    EXPECT_TRUE(played.has({"SUBP.SPF", R"("X":20,"Z":9)"})) << played.events;
+    EXPECT_TRUE(played.has({"SUBP.SPF", R"("X":25,"Z":8)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("line":6)", R"("X":40,"Z":8)"})) << played.events;
+}
+
+// Rows and circles of holes: the program of MCALL runs at each of them.
+TEST(SinumerikFlow, AModalProgramRunsAtEachHole) {
+    Files files;
+    files.add("TOUCH.SPF", "R9=R9+1 R8=R8*100+$P_EP[Z]\nR5=0 R6=99\nG91 G0 X1\nG90 X=$P_EP[X]-1\nM17\n");
+    files.add("LEAVE.SPF", "R9=R9+1\nRET(\"OUT\")\n");
+    files.add("ROW.SPF", "HOLES1(0,0,0,10,20,2)\nM17\n");
+    Played played = run("G18 G90 DIAMOF\nG0 X0 Z0\nMCALL TOUCH\nR5=10 R6=3\nHOLES1(0,0,0,R5,20,R6)\nR7=R7+1\nROW\nMCALL\nHOLES1(0,0,0,70,20,2)\nM30\n", files.setup);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R9"), "5");
+    EXPECT_EQ(last_value(played, "R8"), "1030501030") << "Z 10 30 50, 10 30";
+    EXPECT_EQ(last_value(played, "R7"), "1");
+    EXPECT_TRUE(played.has({R"("X":0,"Z":90)"})) << played.events;
+    played = run("G18 G90 DIAMOF\nG0 X0 Z0\nMCALL LEAVE\nHOLES1(0,0,0,10,20,3)\nR7=1\nOUT: MCALL\nHOLES1(0,0,0,60,20,2)\nM30\n", files.setup);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R9"), "1");
+    EXPECT_EQ(last_value(played, "R7"), "none");
+    EXPECT_TRUE(played.has({R"("Z":60)"})) << played.events;
+}
+
 // A main block is named with its colon; of M17 the PLC hears, of RET it does not (sinumerik_part3 3, 7.15).
 TEST(SinumerikFlow, MainBlocksAreJumpedToAndEndsOfSubprogramsTold) {
     const Played jumped = run("GOTOF :20\nR1=9\n:20 R2=1\nM30\n");
