@@ -34,6 +34,7 @@ public:
     double feed_override() override { return next_->feed_override(); }
     double spindle_override(unsigned spindle) override { return next_->spindle_override(spindle); }
     std::optional<double> spindle_speed(unsigned spindle) override { return next_->spindle_speed(spindle); }
+    std::optional<double> spindle_turns(unsigned spindle) override { return next_->spindle_turns(spindle); }
     unsigned selected_spindle() override { return next_->selected_spindle(); }
     unsigned synchronous_master(unsigned machine_axis) override { return next_->synchronous_master(machine_axis); }
     bool diameter_inverted(unsigned machine_axis) override { return next_->diameter_inverted(machine_axis); }

@@ -76,6 +76,7 @@ public:
     virtual double feed_override() { return 1.0; }
     virtual double spindle_override(unsigned /*spindle*/) { return 1.0; }
     virtual std::optional<double> spindle_speed(unsigned /*spindle*/) { return std::nullopt; }
+    virtual std::optional<double> spindle_turns(unsigned /*spindle*/) { return std::nullopt; }   // its speed with the sign of its direction
     // Machine spindle that the PLC has chosen for this channel (CP_SSEL); 0: it has chosen none.
     virtual unsigned selected_spindle() { return 0; }
     // Machine axis (from 1) that this one (from 0) follows synchronously now; 0: it moves by itself.

@@ -152,7 +152,7 @@ struct Spindle {
     bool needs_loop = false;        // Position: no M code follows that closes the loop; an open one is a mistake
     std::array<double, 4> watch{};  // Watch: seconds, % to begin with, %, 1/min; NaN: the parameter's
     // Couple: `follower` (a machine axis from 0, or kMaxAxes + spindle from 0) makes `turns` for `master_turns` of `spindle`;
-    // Uncouple: it is free again. cutter: its direction is the sign of `turns`, whichever way the master turns.
+    // `value` 1/min of its own lie over that. Uncouple: it is free again, and `spindle` is the channel's master. cutter: its direction is the sign of `turns`, whichever way the master turns.
     std::uint8_t follower = 0, helix = kNoHelix;   // helix: machine axis whose way turns the follower too
     double turns = 1.0, master_turns = 1.0, helix_deg_mm = 0.0;
     double phase_deg = std::numeric_limits<double>::quiet_NaN();   // NaN: as it comes
@@ -161,6 +161,7 @@ struct Spindle {
     double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
     bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;
     bool silent = false;            // a record for the kernel (G96 follows a new zero), no event
+    bool for_release = false;       // Rpm: of a follower, which turns like that from its Uncouple on
     bool beside = false;            // Position: nobody waits (Wait::Act::Arrive does)
 };
 

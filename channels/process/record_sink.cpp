@@ -111,6 +111,7 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
     r.value = spindle.value;
     if ((spindle.mode == SpindleModeCode::Rpm || spindle.mode == SpindleModeCode::SurfaceSpeed) && spindle.spindle <= kMaxSpindles) r.value *= shares_.spindle[spindle.spindle];
     r.shape[0] = spindle.limit;
+    if (spindle.for_release) r.mask = 1;
     if (spindle.css_axis >= 0) {
         r.axis[0] = view_->axes[static_cast<std::size_t>(spindle.css_axis)].machine_axis;
         r.shape[1] = spindle.css_zero;
@@ -136,7 +137,7 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
         r.axis[0] = spindle.follower;
         r.axis[1] = spindle.helix;
         r.shape[0] = spindle.turns, r.shape[1] = spindle.master_turns, r.shape[2] = spindle.phase_deg, r.shape[3] = spindle.helix_deg_mm;
-        r.mask = (spindle.gear ? 1u : 0u) | (spindle.cutter ? 2u : 0u);
+        r.mask = (spindle.gear ? 1u : 0u) | (spindle.cutter ? 2u : 0u) | (frees && spindle.for_release ? 4u : 0u);
         return push(r, true, true);   // what follows it is an axis that has turned
     }
     // An S word alone is a speed; what it turns like is the PLC's.

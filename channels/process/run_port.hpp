@@ -47,6 +47,7 @@ public:
     double feed_override() override { return own().feed_override; }
     double spindle_override(unsigned spindle) override { return status_->spindles[spindle - 1].override; }
     std::optional<double> spindle_speed(unsigned spindle) override { return std::abs(status_->spindles[spindle - 1].speed); }
+    std::optional<double> spindle_turns(unsigned spindle) override { return status_->spindles[spindle - 1].speed; }
     unsigned selected_spindle() override;
     std::optional<ToolAtWork> tool_at_work() override;
     const ToolTable* tool_table() override;

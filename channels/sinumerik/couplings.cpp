@@ -63,10 +63,10 @@ bool Interpreter::p_coupling(Call& c) {
     if (name.starts_with("COUPON")) {
         const auto kept = defined.find(key);
         const SpindleRatio ratio = kept != defined.end() ? kept->second : configured_ratio(follows, leads);
-        if (name == "COUPONC") {   // its own speed would lie over the coupling
+        if (name == "COUPONC") {   // its own speed lies over the coupling
             const auto other = modal_.spindles.find(follows);
             const SpindleState* const now = core_.path.spindle.spindle == follows ? &core_.path.spindle : other != modal_.spindles.end() ? &other->second : nullptr;
-            if (now && now->turn != SpindleTurn::Stop && now->rpm != 0) return fail(Alarm::NotBuilt, "COUPONC: M3, M4");
+            if (now) told.value = now->rpm * static_cast<double>(now->turn);
         }
         told.mode = SpindleModeCode::Couple;
         told.turns = ratio.turns, told.master_turns = ratio.master_turns;
@@ -74,13 +74,43 @@ bool Interpreter::p_coupling(Call& c) {
         modal_.coupled_spindles |= 1u << (follows - 1);
     } else {
         if (c.has(2)) return fail(Alarm::NotBuilt, std::string(name) + ": POSFS");   // crossing angles before it lets go
+        if (name == "COUPOF" && !keeps_turning(follows)) return false;
         told.mode = SpindleModeCode::Uncouple;
+        told.spindle = modal_.master_spindle;
+        told.for_release = name == "COUPOF";
         modal_.coupled_spindles &= ~(1u << (follows - 1));
     }
     stop_reading();
     if (!core_.couple_spindle(told)) return false;
     if (name != "COUPOFS") return true;   // COUPOF: it turns on as fast as it was
     return with_spindle(follows, [&] { return core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle(); });
+}
+
+// COUPOF: the follower turns on as fast as it does. It is told so, and the PLC its direction, while it still follows: so nothing brakes it.
+bool Interpreter::keeps_turning(std::uint16_t follows) {
+    constexpr double kStandsRpm = 1.0;
+    if (!need_fresh()) return false;
+    const auto now = core_.port().spindle_turns(follows);
+    if (!now || std::fabs(*now) < kStandsRpm) return true;
+    const double share = core_.port().spindle_override(follows), rpm = std::round(std::fabs(*now) * 10.0) / 10.0 / (share > 0 ? share : 1.0);
+    const SpindleTurn turn = *now > 0 ? SpindleTurn::Cw : SpindleTurn::Ccw;
+    return with_spindle(follows, [&] {
+        SpindleState& state = core_.path.spindle;
+        state.turn = turn, state.rpm = rpm, state.mode = SpindleModeCode::Rpm, state.commanded = true;
+        Spindle speed;
+        speed.spindle = follows;
+        speed.value = rpm;
+        speed.turn = turn;
+        speed.mode_changed = speed.silent = speed.for_release = true;
+        core_.mark_emitted();
+        core_.sink().spindle(speed, core_.at);
+        Aux turns;
+        turns.value = turn == SpindleTurn::Cw ? 3 : 4;
+        turns.text = turn == SpindleTurn::Cw ? "M3" : "M4";
+        turns.silent = true;
+        core_.sink().aux(turns, core_.at);
+        return true;
+    });
 }
 
 // POSRANGE(axis, reference, width, system): does the set position lie in the interval about the reference? 0 MCS, 1 BCS, 2 SZS, 3 WCS.

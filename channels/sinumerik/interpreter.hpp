@@ -161,6 +161,7 @@ public:
     bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool p_coupling(Call&), f_posrange(Call&);   // couplings.cpp
     bool spindle_pair(const Call& c, std::uint16_t& follows, std::uint16_t& leads);
+    bool keeps_turning(std::uint16_t follows);
     SpindleRatio configured_ratio(std::uint16_t follows, std::uint16_t leads);
     bool transformation_data(std::int64_t kind, const Call& c, std::size_t number_at, std::array<int, 3>& axes);
     bool switch_transformation(const Transformation& wanted);

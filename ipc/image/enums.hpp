@@ -19,7 +19,8 @@ enum class RecordKind : std::uint8_t {
                    // mask 1: its loop must be closed (no M code that closes it follows);
                    // Couple: `spindle` leads, axis[0] follows (kMaxAxes + spindle from 0, or an axis): shape[0] of its turns for shape[1]
                    // turns of the master, shape[2] phase in degrees (NaN: as it comes), mask 1: gear (N1800), axis[1] the axis of
-                   // the helix (kNoHelix none), shape[3] degrees a millimetre of it; Uncouple: axis[0]
+                   // the helix (kNoHelix none), shape[3] degrees a millimetre of it, value 1/min of its own over that;
+                   // Uncouple: axis[0], mask 4: CN_SSEL is `spindle`. Rpm, mask 1: of a follower, for when it is free
                    // Watch: value seconds, shape[0] % to begin with, shape[2] % and shape[3] 1/min; NaN: the parameter's
     SpindleSpeed,  // S word: value 1/min for `spindle`; what it turns like is the PLC's SP_ROT
     Wait,          // code, mask; flags kFlying

@@ -388,7 +388,8 @@ bool ChannelRunner::take_spindle(const PathRecord& r, std::uint32_t number, bool
         return false;
     }
     SpindleUnit& spindle = core_.spindles[number - 1];
-    if (spindle.coupled()) {
+    const bool for_release = static_cast<RecordKind>(r.kind) == RecordKind::SpindleMode && static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Rpm && (r.mask & 1u);
+    if (spindle.coupled() && !for_release) {
         raise(Alarm::SpindleFollows, name_of('S', number - 1).view());
         return false;
     }
@@ -478,6 +479,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
     if (on && calls_follower(follower)) return false;
     phase_ = Phase::Spindle;
     if (!on) {
+        if ((r.mask & 4u) && r.spindle) core_.signals.set_nc(signals::cn_ssel(number_), r.spindle);   // M3 was the follower's
         couplings.uncouple(follower);
         return !couplings.follows(follower);
     }
@@ -491,6 +493,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
     wish.gear = (r.mask & 1u) != 0;
     // The cutter's direction is that of the program's sign, whichever way the workpiece turns.
     if ((r.mask & 2u) && wish.master >= 1 && wish.master <= kMaxSpindles && core_.spindles[wish.master - 1].speed() < 0) wish.turns = -wish.turns;
+    wish.own_rev_s = r.value / 60.0;
     wish.helix = r.axis[1];
     wish.helix_deg_mm = r.shape[3];
     wish.channel = number_;

@@ -68,8 +68,8 @@ PathState SpindleCouplings::line_of(const Core& core, const Link& link, double a
     const double v = seen.speed() / kTurn, a = seen.acceleration() / kTurn;
     PathState line{seen.angle(ahead) / kTurn - master.zero_turns(), v + a * ahead, a};
     line = {line.s * link.ratio, line.v * link.ratio, line.a * link.ratio};
-    line.s += link.wish.phase + link.pull;
-    line.v += link.pull_v;
+    line.s += link.wish.phase + link.pull + link.own + link.wish.own_rev_s * ahead;
+    line.v += link.pull_v + link.wish.own_rev_s;
     if (!is_axis(link.wish.follower)) line.s += core.spindles[spindle_of(link.wish.follower)].zero_turns();
     if (link.wish.helix != kNoHelix) {
         const AxisUnit& axis = core.axes[link.wish.helix];
@@ -201,7 +201,7 @@ void SpindleCouplings::drive(Core& core, Link& link) noexcept {
     SpindleUnit& master = core.spindles[link.wish.master - 1];
     const LineFollower::Limits limits = limits_of(core, f);
     const double size = std::fabs(link.ratio);
-    master.ceiling_rpm = std::min(master.ceiling_rpm, limits.speed / size * 60.0);
+    master.ceiling_rpm = std::min(master.ceiling_rpm, std::max(limits.speed - std::fabs(link.wish.own_rev_s), 0.0) / size * 60.0);
     master.ceiling_ramp = std::min(master.ceiling_ramp, kMasterShare * limits.acceleration / size * 60.0);
     // How far the measured follower is from the measured line, both of this tick's start.
     const PathState here = line_of(core, link, 0.0);
@@ -222,6 +222,7 @@ void SpindleCouplings::drive(Core& core, Link& link) noexcept {
         link.pull += link.pull_v * dt;
     }
     const PathState next = link.follower.tick(line_of(core, link, dt), dt);
+    link.own += link.wish.own_rev_s * dt;
     const bool near = link.follower.on_line() && std::fabs(link.deviation) <= window;
     if (near) link.was_synchronous = true;
     if (link.was_synchronous && error > 0 && std::fabs(link.deviation) > error) torn_ = f;

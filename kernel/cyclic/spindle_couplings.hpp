@@ -1,7 +1,7 @@
 // What turns by somebody else's turns: a synchronous spindle, a polygon cutter, the workpiece axis of the electronic gear box
 // (nct_parameters_part1 8.9, part2 19, fanuc_lathe 10.1, architecture 5.8). One mechanism for all of them:
 //
-//   follower's turns = ratio * master's turns + phase + helix * way of an axis        master: as its encoder says, estimated
+//   follower's turns = ratio * master's turns + phase + helix * way of an axis + own turns        master: as its encoder says, estimated
 //
 // The follower comes onto that line from whatever it does (kernel/motion/line_follower.hpp), within its own limits and while
 // the master goes on turning; while it follows, the master is neither faster nor steeper than the follower can be. Phase: zero
@@ -30,6 +30,7 @@ public:
         double phase = 0;                  // turns
         std::uint32_t helix = kNoHelix;    // axis from 0
         double helix_deg_mm = 0;
+        double own_rev_s = 0;              // of the follower, over its line
         std::uint32_t channel = 0;         // that asked (from 1); 0: the PLC
         bool gear = false;                 // G81.8: reset leaves it, N1800 says how it ends
     };
@@ -56,6 +57,7 @@ private:
         double ratio = 1;
         double helix_from = 0;
         double pull = 0, pull_v = 0;       // turns, turns a second
+        double own = 0;                    // turns that own_rev_s has made
         double deviation = 0;              // turns
         LineFollower follower;
     };

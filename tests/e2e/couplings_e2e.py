@@ -161,6 +161,21 @@ class Follower(Coupled):
                 self.assertEqual(done.of("move", ch=2)[0]["pos"]["C"], 90)
 
 
+    def test_what_is_let_go_turns_on_as_fast_as_it_did(self):   # COUPOF, COUPOFS; COUPONC keeps its own speed over the coupling
+        for begin, on, speed in (("", "COUPON", 600), ("S2=100 M2=3\nG4 F2\n", "COUPONC", 700), ("S2=100 M2=4\nG4 F2\n", "COUPONC", 500)):
+            for off in ("COUPOF", "COUPOFS"):
+                with self.subTest(on=on, off=off, speed=speed):
+                    text = f'S300 M3\n{begin}COUPDEF(S2,S1,2,1,"COARSE","DV")\n{on}(S2,S1)\nG4 F3\n{off}(S2,S1)\nG4 F3\nM2=5\nG4 F3\nM5\nM30\n'
+                    done, trace = self.run_program("sinumerik", text)
+                    self.assertEqual(done.alarms, [])
+                    dwells = done.of("dwell")[-3:]
+                    until = 1 if off == "COUPOF" else 0
+                    for i in self.between(trace, dwells[0]["t"] + 2.5, dwells[until]["end"] - 0.05):
+                        self.assertAlmostEqual(trace["S2.speed"][i], speed, delta=10)
+                    for i in self.between(trace, dwells[until + 1]["t"] + 2.0, dwells[until + 1]["end"]):
+                        self.assertAlmostEqual(trace["S2.speed"][i], 0, delta=1)
+
+
 class Transfer(Coupled):
     def job(self, *lines, status=0, scenario=None):
         more = ["--scenario", scenario] if scenario else []
