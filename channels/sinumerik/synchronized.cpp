@@ -184,11 +184,13 @@ bool Interpreter::do_action() {
     return start_positioning(nobody_waits) && functions_after();
 }
 
-// Before an output block acts, its words are read: every condition is looked at, then all that is due is read and done. A
-// condition that needs a live value brings the block behind a barrier; nothing has happened until then.
+// Before an output block acts, its words are read: every condition is looked at, then all that is due is read and done. So it is before
+// a procedure (STOPRE, CANCEL), but for what only goes on holding and outputs something.
+// A condition that needs a live value brings the block behind a barrier; nothing has happened until then.
 bool Interpreter::synchronized_actions() {
     way_deleted_ = false;
-    if (actions_.empty() || (block_.words.empty() && block_.codes.empty())) return true;
+    const bool outputs = !block_.words.empty() || !block_.codes.empty();
+    if (actions_.empty() || (!outputs && block_.procedures.empty())) return true;
     Block output = std::move(block_);
     const Cursor cursor = cursor_;
     const Statement* const statement = statement_;
@@ -206,6 +208,7 @@ bool Interpreter::synchronized_actions() {
     const std::size_t own_undo = block_undo_.size();
     for (SynchronizedAction& action : next) {
         if (action.locked) continue;
+        if (!outputs && action.id == 0 && action.looks == 0) continue;   // its block is still to come
         bool holds = true;
         cursor_ = Cursor(action.text);
         cursor_.advance(action.condition_at);
@@ -214,6 +217,7 @@ bool Interpreter::synchronized_actions() {
         const bool at_its_end = std::exchange(action.has_cut, false);   // its DELDTG is done, the rest of it is due
         if (!action.is_due(holds || at_its_end)) continue;
         if (!read_action(action) || !released_axes_come_back()) return in_action_ = false, said_by(action);
+        if (!outputs && action.when != When::Once && action.when != When::Edge && !block_.words.empty()) continue;   // its M or H comes with each output block
         if (action.deletes_way && !at_its_end && (action.id != 0 || action.looks < 2)) way_deleted_ = true;   // not behind its own block
         for (const auto& [command, call] : block_.procedures) holds_reading = holds_reading || command->name == "RDISABLE";
         due.emplace_back(&action, std::move(block_));

@@ -80,6 +80,31 @@ TEST(SynchronizedActions, AWayThatIsDeletedEndsInNoCorner) {
     EXPECT_FALSE(played.has({"\"ev\":\"alarm\""})) << played.events;
 }
 
+double last_of(const Played& played, const std::string& name) {
+    double value = -1;
+    const std::string key = "\"name\":\"" + name + "\",\"value\":";
+    for (const std::string& line : played.lines())
+        if (const auto at = line.find(key); at != std::string::npos) value = std::stod(line.substr(at + key.size()));
+    return value;
+}
+
+// Where reading stops the actions are looked at, too: what the block before has brought about is there behind STOPRE and CANCEL.
+TEST(SynchronizedActions, AreLookedAtWhereReadingStops) {
+    Play how;
+    how.language = "sinumerik";
+    Played played = play("G18 G90 G94\nG0 X10 Z0\nID=1 WHENEVER $AA_IW[Z]<-5 DO $R1=5\nG1 Z-10 F1000\nSTOPRE\nR3=$R1\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_of(played, "R3"), 5) << played.events;
+    played = play("G18 G90 G94\nG0 X10 Z0\nID=1 EVERY $AA_IW[Z]<-5 DO $R1=$R1+1\nG1 Z-10 F1000\nZ0\nZ-10\nCANCEL(1)\nSTOPRE\nR3=$R1\nG0 Z0\nZ-10\nSTOPRE\nR4=$R1\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_of(played, "R3"), 2) << played.events;
+    EXPECT_EQ(last_of(played, "R4"), 2) << played.events;
+    played = play("G18 G90 G94\nG0 X10 Z0\nWHEN $AA_IW[Z]<-5 DO $R1=5\nSTOPRE\nG1 Z-10 F1000\nSTOPRE\nR3=$R1\n$R1=0\nG1 Z-20\nSTOPRE\nR4=$R1\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_of(played, "R3"), 5) << "of the next output block, which STOPRE is not" << played.events;
+    EXPECT_EQ(last_of(played, "R4"), 0) << "and of no other" << played.events;
+}
+
 // Without a machine nothing would ever end what holds: check says so and reads on.
 TEST(SynchronizedActions, HoldNothingWithoutAMachine) {
     Play how;
