@@ -158,6 +158,7 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         for (const double step : down)
             if (step < -settings_.approach_slack_mm) return fail(Alarm::ApproachReversal);
         if (!soft.in_plane) p3[k] = p2[k];
+        if (!soft.in_plane && soft.has_safety && !soft.has_retract && std::fabs(p2[k] - p4[k]) < kSameApproach) p1[k] = p2[k];   // DISCL=0: P1 P2 P3 are one
     }
     modal_.geo.approach_known = true;
     // $P_APR and $P_AEP are points of the compensated path (11.4.1: P4 lies on it); without compensation that is the contour's.
