@@ -54,6 +54,7 @@ bool Interpreter::spindle_words() {
         if (speaks(word) && std::find(spindles.begin(), spindles.end(), number_of_spindle(word)) == spindles.end()) spindles.push_back(number_of_spindle(word));
     for (const std::uint16_t spindle : spindles) {
         const bool ok = with_spindle(spindle, [&] {
+            std::int64_t told = 0;   // M3 M4 M5
             for (const Word& word : block_.words) {
                 if (!speaks(word) || number_of_spindle(word) != spindle) continue;
                 fault_column_ = word.column, fault_length_ = word.length;
@@ -71,6 +72,8 @@ bool Interpreter::spindle_words() {
                     if (!(core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed ? core_.spindle_speed(value) : ask_speed(value))) return false;
                 } else {
                     const auto m = static_cast<std::int64_t>(word.number());
+                    if (told && told != m) return fail_word(Alarm::CodesContradict, word, fmt::format("M{}, M{}", told, m));
+                    told = m;
                     if (!core_.spindle_turn(m == 3 ? SpindleTurn::Cw : m == 4 ? SpindleTurn::Ccw : SpindleTurn::Stop)) return false;
                     modal_.closed_spindles &= ~(1u << (core_.path.spindle.spindle - 1));
                 }

@@ -1,4 +1,5 @@
 // Programmable frames: TRANS ROT SCALE MIRROR and their additive forms, G58 G59, frame functions (sinumerik_part2 13).
+#include <algorithm>
 #include <cmath>
 
 #include "channels/angles.hpp"
@@ -241,14 +242,13 @@ bool Interpreter::geo_partial_shift(const GCode& code) {
     const auto places = geometry(core_.view());
     for (const Word& w : block_.words) {
         if (w.axis < 0 || w.address->name != "axis") continue;
+        if (std::ranges::find(places, w.axis) == places.end()) return fail_word(Alarm::AxisKindWrong, w, axis_name(w.axis));
         const auto i = static_cast<std::size_t>(w.axis);
         double& part = code.name == "G58" ? geo.frame.coarse_mm[i] : geo.frame.fine_mm[i];
-        const double value = core_.view().axes[i].rotary ? w.number() : w.number() * unit(), by = value - part;
+        const double value = w.number() * unit(), by = value - part;
         part = value;
-        bool done = false;
         for (std::size_t k = 0; k < 3; ++k)
-            if (places[k] == w.axis) geo.exact.shift[k] += by, done = true;
-        if (!done) geo.exact.offset[i] += by;
+            if (places[k] == w.axis) geo.exact.shift[k] += by;
     }
     use_frame();
     return true;

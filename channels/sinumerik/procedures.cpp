@@ -103,8 +103,8 @@ bool Interpreter::channel_of(const Value& value, unsigned& channel) {
 }
 
 bool Interpreter::marker_of(const Value& value, int& marker) {
-    // 0 to 9 (part 3, 7.14); beyond them the machine's own waiting codes, with which it meets channels of other languages.
-    const bool known = (value.number >= 0 && value.number <= 9) || core_.view().machine.is_wait_code(value.number);
+    // 0 to 99 (part 2, 17.1b; 0 to 9 on older ones); beyond them the machine's own waiting codes, with which it meets channels of other languages.
+    const bool known = (value.number >= 0 && value.number <= 99) || core_.view().machine.is_wait_code(value.number);
     if (!known || value.number != std::floor(value.number)) return fail(Alarm::MarkerIllegal, {}, value.number);
     marker = static_cast<int>(value.number);
     return true;

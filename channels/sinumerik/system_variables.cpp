@@ -11,6 +11,8 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
+constexpr int kMostEdges = 12;   // of a tool (sinumerik_part1 6.6)
+
 // $TC_DP3 -> 3 for the prefix $TC_DP; -1: another name.
 int parameter_of(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix) || name.size() == prefix.size() || name.size() > prefix.size() + 3) return -1;
@@ -210,7 +212,7 @@ bool Interpreter::edge_cell(const std::string& name, const std::vector<Value>& i
     const auto number = static_cast<std::int64_t>(indices[0].number);
     const int d = static_cast<int>(indices[1].number);
     if (number < 1 || number > 32000) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, indices[0].number);
-    if (d < 1 || d > 32000) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, indices[1].number);
+    if (d < 1 || d > kMostEdges) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, indices[1].number);
     const int parameter = parameter_of(name, "$TC_DP"), sum = parameter_of(name, "$TC_SCP"), setup = parameter_of(name, "$TC_ECP");
     const bool teeth = name == "$TC_DPNT";
     const bool known = teeth || (parameter >= 1 && parameter < static_cast<int>(kEdgeParameters)) || (sum >= 10 && sum < 70) || (setup >= 10 && setup < 70);

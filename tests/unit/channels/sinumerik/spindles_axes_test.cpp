@@ -42,6 +42,17 @@ TEST(SinumerikSpindles, ValuesOutOfRangeAreRefused) {
     for (const char* bad : {"MSG(\"A\",2)", "WRTPR(\"A\",-1)", "DILF=-1"}) EXPECT_EQ(run(std::string(bad) + "\nM30\n").errors, 1u) << bad;
 }
 
+// A spindle turns one way in a block; a tool has at most 12 edges (part 1, 6.6); G58 and G59 shift geometry axes (part 2, 13.4);
+// markers are 0 to 99 (part 2, 17.1b).
+TEST(SinumerikSpindles, WhatContradictsItselfIsRefused) {
+    for (const char* bad : {"M3 M4 S100", "S100 M3 M5", "M1=4 M3 S100", "$TC_DP1[1,13]=500", "R1=$TC_DP1[1,13]", "G58 C5", "G59 C5", "SETM(100)", "CLEARM(-1)", "SETM(1.5)"})
+        EXPECT_EQ(run(std::string(bad) + "\nM30\n").errors, 1u) << bad;
+    for (const char* good : {"M3 M3 S100", "$TC_DP1[1,12]=500", "G58 X5", "G59 Z5", "SETM(0,10,99)", "CLEARM(99)"}) {
+        const Played played = run(std::string(good) + "\nM30\n");
+        EXPECT_EQ(played.errors, 0u) << good << played.events;
+    }
+}
+
 TEST(SinumerikAxes, AReleasedAxisMovesAfterGetOnly) {
     EXPECT_EQ(run("RELEASE(Z)\nG0 X5\nGET(Z)\nG0 Z5\nM30\n").errors, 0u);
     const Played refused = run("RELEASE(Z)\nG0 Z5\nM30\n");
