@@ -96,6 +96,13 @@ class Spindles(Case):
             at = next(i for i, t in enumerate(trace["t"]) if t >= e["end"] + 0.005)
             self.assertAlmostEqual(trace["S1.angle"][at], e["pos"]["C"], delta=0.5, msg=f"line {e['line']}")
 
+    def test_a_rigid_tap_may_be_fast(self):   # its following error is within N0777
+        for speed in (1200, 3000):
+            with self.subTest(speed):
+                program = self.write("TAP.MPF", f"G18 G90 G94 DIAMOF\nG0 X0 Z5\nSPOS=0\nG331 Z-100 K1 S{speed}\nG332 Z5 K1\nM30\n")
+                done = self.polyturn("run", "--virtual", "--language", "sinumerik", f"1={program}")
+                self.assertEqual((done.status, done.alarms), (0, []), done.said())
+
     def test_gear_ranges_are_engaged_at_creep_speed(self):
         sets = ("PT_GEAR_RANGES S1=2", "PT_GEAR_TIME S1=0.5", "N0651 S1=900", "N0635 S1=1000", "N0658 S1=15", "N0659 S1=15", "N0667 S1=1500")
         done, trace = self.run_program("S2000 M3\nG4 P2.\nM42\nG4 P2.\nM5\nM30\n", *(word for line in sets for word in ("--set", line)),
