@@ -435,7 +435,7 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
     if (dialogue_->isVisible() && plain && dialogue_->key(event)) return true;
     if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
         entry_->shut(false);
-        if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
+        if (!event->isAutoRepeat()) showKeys(), bar_->press(key - Qt::Key_F1);   // of what is chosen now
         return true;
     }
     if (key == Qt::Key_F11) return topTouched(kHitTongue), true;

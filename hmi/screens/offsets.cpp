@@ -394,17 +394,20 @@ std::vector<SoftKey> Offsets::keys() {
                               {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
                               {}};
     if (partsShown_) return parts_->addKeys(keys), keys;
+    // «offset L1 3 wear X», with what is typed: another one of them is another question.
+    const QStringList words = value ? value->words.split(' ') : QStringList();
+    const QString subject = value ? value->words + "=" + pad_->text() : QString(), object = value ? QString("%1 %2 %3").arg(words[1], words[2], words.last()) : QString();
     const QString asks = !zeros_ ? word("Enters what was touched: press again") : probe() ? word("Probe is offset %1: press again").arg(probe()) : word("Without a probe offset: press again");
-    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks};
-    if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again")});
+    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks, {}, subject, object};
+    if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again"), {}, subject, object});
     else keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
     keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
     if (zeros_)
-        keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again")});
+        keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again"), {}, subject, object});
     else if (empty)
         keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
-        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again")});
+        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again"), {}, subject, object});
     keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")

@@ -267,9 +267,10 @@ bool PresetterPage::key(QKeyEvent* event) {
 
 void PresetterPage::addKeys(std::vector<SoftKey>& keys) {
     const bool ready = !chosen().isEmpty() && !process_ && desk_.live.connected();
+    const QString offset = QString("L%1 %2").arg(desk_.channel).arg(number_[kOffset], 0, 'f', 0);
     keys.push_back({word("Measure"), [this] { measure(false); }, Sign::None, ready});
-    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again")});
-    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again")});
+    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again"), {}, QString("%1 %2").arg(offset, chosen()), offset});
+    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again"), {}, QString("%1 %2").arg(pin(), chosen()), chosen().section('/', -1)});
 }
 
 }  // namespace polyturn::hmi

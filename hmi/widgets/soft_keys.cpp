@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hmi/widgets/set_words.hpp"
+
 namespace polyturn::hmi {
 
 SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
@@ -12,9 +14,9 @@ SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
 
 void SoftKeyBar::show(std::vector<SoftKey> keys) {
     keys.resize(kKeys);
-    if (asked_ >= 0) {   // another key at its place (another channel, another screen) has not been asked for
+    if (asked_ >= 0) {   // another key at its place (another channel, another screen), or the same one for something else, has not been asked for
         const SoftKey &before = keys_[static_cast<std::size_t>(asked_)], &now = keys[static_cast<std::size_t>(asked_)];
-        if (!now.enabled || now.text != before.text || now.confirm != before.confirm) asked_ = -1;
+        if (!now.enabled || now.text != before.text || now.confirm != before.confirm || now.subject != before.subject) asked_ = -1;
     }
     keys_ = std::move(keys);
     refresh();
@@ -67,7 +69,11 @@ void SoftKeyBar::compose(Writer& w) {
                Qt::AlignRight | Qt::AlignVCenter);
         if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
         double left = box.left() + px(7);
-        if (key.sign != Sign::None) {
+        if (asked && !key.object.isEmpty()) {   // in the place of the sign
+            const QRectF room(left, box.top() + px(3), box.right() - px(30) - left, px(15));
+            const QFont small = lettering(12, true, Face::Condensed);
+            w.data(room, wordsCutTo(key.object, small, room.size()), small, ink);
+        } else if (key.sign != Sign::None) {
             w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
         }
         Item& label = w.text(QRectF(left, box.top() + px(19), box.right() - px(6) - left, box.height() - px(24)), asked ? key.confirm : key.text,
