@@ -303,12 +303,12 @@ void Offsets::measure() {
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
     const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act));
     const ChannelStore& store = desk_.live.store(desk_.channel);
-    const double zero = view.known && !(view.picture.flags & kPictureNoShift) ? shown(axis, view.picture.shift[place] - view.picture.tool_shift[place])
-                                                                              : store.zeros[place] + store.zeros[kZeroG54 * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
+    double zero = 0;
+    if (!desk_.live.zeroNow(desk_.channel, static_cast<unsigned>(place), zero)) zero = desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), view.known ? view.picture.zero_row : static_cast<std::int32_t>(kZeroG54));
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
     const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
     pad_->clear();
-    put(*value, inTable(axis, (machine - zero - typed->value) / shown(axis, 1)) - wear);
+    put(*value, inTable(axis, (machine - shown(axis, zero) - typed->value) / shown(axis, 1)) - wear);
 }
 
 // What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.
@@ -319,7 +319,7 @@ void Offsets::zeroHere() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = view.known ? shown(axis, view.picture.tool_shift[place]) : 0.0;
+    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = shown(axis, view.toolShift[place]);   // also of one that a program before has left
     const ChannelStore& store = desk_.live.store(desk_.channel);
     const std::size_t row = zeroRows_[static_cast<std::size_t>(table_->row())];
     double others = 0;   // that act beside it
