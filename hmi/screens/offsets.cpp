@@ -190,8 +190,8 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
     const ChannelStore& store = desk_.live.store(desk_.channel);
     if (zeros_) {
         if (p.flags & kPictureNoShift) return false;
-        applied = shown(axis, p.shift[place] - p.tool_shift[place]);
-        sum = store.zeros[place] + (p.zero_row > 0 ? store.zeros[static_cast<std::size_t>(p.zero_row) * kChannelAxes + place] : 0.0) + store.zeros[kZeroShift * kChannelAxes + place];
+        sum = shown(axis, desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), p.zero_row));
+        applied = desk_.live.rests(desk_.channel) ? sum : shown(axis, view.zeroTaken[place]);   // without what the program adds: G52, G92
         return true;
     }
     if (p.geometry <= 0 && p.wear <= 0) return false;
