@@ -2,6 +2,7 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
@@ -279,16 +280,31 @@ void Offsets::askHistory() {
     }, true);
 }
 
-// The newest change that has not been taken back.
+// The newest change that has not been taken back; nullptr: there is none.
+const Offsets::Change* Offsets::newest() const {
+    const auto found = std::find_if(changes_.rbegin(), changes_.rend(), [](const Change& one) { return !one.undone; });
+    return found == changes_.rend() ? nullptr : &*found;
+}
+
+// What stands there now, whichever table is shown.
+double Offsets::presentOf(const Value& value) const {
+    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
+    const ChannelStore& store = desk_.live.store(words[1].mid(1).toUInt());
+    if (words[0] == "zero") return store.zeros[work_zero_row(words[2].toStdString()).value_or(0) * kChannelAxes + static_cast<std::size_t>(value.place)];
+    const char letter = words[4][0].toLatin1();
+    return cellValue(store.offsets[words[2].toUInt()], static_cast<char>(words[3] == "wear" ? letter + 32 : letter));
+}
+
+// Somebody else may have changed it since (a measuring cycle, the wear of a part, another panel): that is not taken back.
 void Offsets::undo() {
-    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
-        if (change->undone) continue;
-        change->undone = true;
-        Value value = change->value;
-        value.present = change->now;
-        put(value, change->old, true);
-        return;
-    }
+    const Change* found = newest();
+    if (!found) return;
+    Change& change = changes_[static_cast<std::size_t>(found - changes_.data())];
+    change.undone = true;
+    Value value = change.value;
+    value.present = presentOf(value);
+    if (std::abs(value.present - change.now) > 5e-7) return desk_.tell(word("%1 is %2 by now: it stays").arg(value.title, lengthText(value.present, value.decimals)), Told::Refused);
+    put(value, change.old, true);
 }
 
 void Offsets::enter(bool added) { pad_->enter(added); }
@@ -386,8 +402,7 @@ void Offsets::refresh() {
 std::vector<SoftKey> Offsets::keys() {
     const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen().has_value();
     const auto value = chosen();
-    bool any = false;
-    for (const Change& change : changes_) any |= !change.undone;
+    const Change* last = newest();
     const bool empty = pad_->text().isEmpty(), placed = value.has_value() && value->place >= 0;
     std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
                               {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
@@ -396,7 +411,8 @@ std::vector<SoftKey> Offsets::keys() {
     if (partsShown_) return parts_->addKeys(keys), keys;
     // «offset L1 3 wear X», with what is typed: another one of them is another question.
     const QStringList words = value ? value->words.split(' ') : QStringList();
-    const QString subject = value ? value->words + "=" + pad_->text() : QString(), object = value ? QString("%1 %2 %3").arg(words[1], words[2], words.last()) : QString();
+    const auto brief = [](const QStringList& of) { return of.size() < 4 ? QString() : QString("%1 %2 %3").arg(of[1], of[2], of.last()); };
+    const QString subject = value ? value->words + "=" + pad_->text() : QString(), object = brief(words);
     const QString asks = !zeros_ ? word("Enters what was touched: press again") : probe() ? word("Probe is offset %1: press again").arg(probe()) : word("Without a probe offset: press again");
     keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks, {}, subject, object};
     if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again"), {}, subject, object});
@@ -408,7 +424,7 @@ std::vector<SoftKey> Offsets::keys() {
         keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
         keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again"), {}, subject, object});
-    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});
+    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, last != nullptr, false, false, {}, {}, {}, last ? brief(last->value.words.split(' ')) : QString()});
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
         keys.push_back({word("Pattern menu"), [this] {

@@ -69,11 +69,14 @@ void SoftKeyBar::compose(Writer& w) {
                Qt::AlignRight | Qt::AlignVCenter);
         if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
         double left = box.left() + px(7);
-        if (asked && !key.object.isEmpty()) {   // in the place of the sign
-            const QRectF room(left, box.top() + px(3), box.right() - px(30) - left, px(15));
+        const bool plain = key.confirm.isEmpty();
+        if (!key.object.isEmpty() && (asked || plain)) {   // a question has it in the place of the sign
+            const double from = box.left() + px(plain ? 26 : 7);
+            const QRectF room(from, box.top() + px(3), box.right() - px(30) - from, px(15));
             const QFont small = lettering(12, true, Face::Condensed);
             w.data(room, wordsCutTo(key.object, small, room.size()), small, ink);
-        } else if (key.sign != Sign::None) {
+        }
+        if (key.sign != Sign::None && (!asked || key.object.isEmpty())) {
             w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
         }
         Item& label = w.text(QRectF(left, box.top() + px(19), box.right() - px(6) - left, box.height() - px(24)), asked ? key.confirm : key.text,
