@@ -1,8 +1,7 @@
 #include "hmi/widgets/soft_keys.hpp"
 
+#include <QFontMetricsF>
 #include <algorithm>
-
-#include "hmi/widgets/set_words.hpp"
 
 namespace polyturn::hmi {
 
@@ -68,13 +67,13 @@ void SoftKeyBar::compose(Writer& w) {
         w.text(QRectF(box.right() - px(30), box.top() + px(3), px(25), px(15)), QString("F%1").arg(i + 1), lettering(11), !key.enabled ? t.faint : asked ? ink : t.dim,
                Qt::AlignRight | Qt::AlignVCenter);
         if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
-        double left = box.left() + px(7);
+        const double left = box.left() + px(7);
         const bool plain = key.confirm.isEmpty();
         if (!key.object.isEmpty() && (asked || plain)) {   // a question has it in the place of the sign
             const double from = box.left() + px(plain ? 26 : 7);
             const QRectF room(from, box.top() + px(3), box.right() - px(30) - from, px(15));
             const QFont small = lettering(12, true, Face::Condensed);
-            w.data(room, wordsCutTo(key.object, small, room.size()), small, ink);
+            w.data(room, QFontMetricsF(small).elidedText(key.object, Qt::ElideMiddle, room.width() - px(2)), small, ink);
         }
         if (key.sign != Sign::None && (!asked || key.object.isEmpty())) {
             w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
