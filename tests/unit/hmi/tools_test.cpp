@@ -146,6 +146,34 @@ TEST_F(ToolTasks, LifeTellsWhatStopsTheMachineFirst) {
     noWordIsShortened(*window);
 }
 
+// What the presetter has said of one offset is not entered into another one.
+TEST_F(ToolTasks, TheAnswerOfThePresetterIsForgottenWithItsOffset) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("tool.pgm"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("P5 4 4 255\n" + QByteArray(16, '\x80'));
+    file.close();
+    Operator hand(*window);
+    hand.screen("tools");
+    PresetterPage& page = screenOf<Tools>().presetter();
+    hand.soft("Presetter");
+    page.readFolder(folder.path());
+    const auto measure = [&] {
+        hand.soft("Measure");
+        return waitFor([&] { return !page.busy() && (!page.failure().isEmpty() || !page.answer().isEmpty()); });
+    };
+    const auto forgotten = [&] { return page.failure().isEmpty() && page.answer().isEmpty(); };
+    ASSERT_TRUE(measure());
+    hand.touchCell(page.values(), 0, 1);
+    hand.type("7"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor(forgotten, 5));
+    ASSERT_TRUE(measure());
+    frames(*window, 100);
+    EXPECT_FALSE(forgotten()) << "it is of this one";
+    hand.key(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor(forgotten, 5));
+}
+
 // The life of a tool ends while the job runs: from the message to the restart.
 TEST_F(ToolTasks, ReplaceAWornInsertFromMessageToRestartInTwelveActions) {
     const auto parameter = [&](const char* line) { ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name})) << line; };
