@@ -22,7 +22,7 @@ void SoftKeyBar::show(std::vector<SoftKey> keys) {
 }
 
 void SoftKeyBar::press(int number) {
-    if (number < 0 || number >= static_cast<int>(keys_.size())) return;
+    if (number < 0 || number >= static_cast<int>(keys_.size()) || (resting_.isValid() && resting_.elapsed() < restMs_)) return;
     const SoftKey key = keys_[static_cast<std::size_t>(number)];   // what it does may show other keys
     if (key.text.isEmpty() || !key.enabled) return;
     if (!key.confirm.isEmpty() && asked_ != number) {
