@@ -89,8 +89,12 @@ std::vector<DialogueView::Key> DialogueView::pageKeys() const {
 bool DialogueView::follow() {
     unsigned found = 0;
     auto next = std::make_unique<Dialogue>();
+    // The page that somebody answers stays, whoever else asks; another channel that is chosen brings its own.
+    const bool stays = isVisible() && desk_.channel == chosen_;
+    chosen_ = desk_.channel;
+    if (stays && channel_ && desk_.live.dialogue(channel_, *next)) found = channel_;
     for (const unsigned channel : desk_.live.channels())
-        if (desk_.live.dialogue(channel, *next) && (!found || channel == desk_.channel)) found = channel;
+        if (!(found && stays) && desk_.live.dialogue(channel, *next) && (!found || channel == desk_.channel)) found = channel;
     if (!found) {
         channel_ = 0, serial_ = 0;
         return false;
@@ -126,7 +130,9 @@ std::vector<SoftKey> DialogueView::keys() {
         if (out.size() == 9) break;   // the others stand in the list
         out.push_back({key.text, [this, number = key.number] { answer(number); }, Sign::None, channel_ != 0});
     }
+    const bool room = out.size() < 9;   // the other channels go on beneath it
     out.resize(9);
+    if (room) out[8] = {word("Hold all"), [this] { desk_.requests.press("feed_hold"); }, Sign::Hold, desk_.live.connected()};
     out.push_back({word("Later"), [this] { hide(); if (desk_.keysChanged) desk_.keysChanged(); }, Sign::Left, true});
     return out;
 }

@@ -1,5 +1,5 @@
 // What a program asks: its page with named values and soft keys, over the screens while the machine's state stays in sight. It comes up when a
-// dialogue is opened in a channel; Escape or another screen puts it away, the line at the top brings it back. Which page there is stands in the
+// dialogue is opened in the chosen channel and nobody types (MainWindow::followDialogue), else the line at the top brings it; Escape or another screen puts it away, the line at the top brings it back. Which page there is stands in the
 // image (ChannelSegment::dialogue); an answer is `press answer`.
 #pragma once
 #include "hmi/app/screen.hpp"
@@ -41,7 +41,7 @@ private:
     Table* table_;
     NumberPad* pad_;
     Dialogue page_{};
-    unsigned channel_ = 0;
+    unsigned channel_ = 0, chosen_ = 0;     // chosen_: of the desk, at the last look
     std::uint64_t serial_ = 0;
 };
 

@@ -206,13 +206,31 @@ void MainWindow::frame() {
     if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
     for (Screen* one : screens_) one->follow();
     screen()->refresh();
-    if (dialogue_->follow()) dialogue_->show(), dialogue_->raise();
-    else if (!dialogue_->channel()) dialogue_->hide();
+    followDialogue();
     if (dialogue_->isVisible()) dialogue_->refresh();
     showKeys();
     top_->refresh(), line_->refresh();
     if (locked_) cover_->refresh();
     keep();
+}
+
+// A page that has come over what somebody types would take the rest of it for an answer.
+bool MainWindow::typed() const {
+    if (entry_->isVisible() || help_->isVisible() || screen()->typing()) return true;
+    const auto pads = screen()->findChildren<NumberPad*>();
+    return std::any_of(pads.begin(), pads.end(), [](const NumberPad* pad) { return !pad->text().isEmpty(); });
+}
+
+void MainWindow::followDialogue() {
+    const unsigned before = dialogue_->isVisible() ? dialogue_->channel() : 0;
+    const bool fresh = dialogue_->follow();
+    const unsigned now = dialogue_->channel();
+    if (!now || (before && now != before)) dialogue_->hide();   // another one is no answer to what was read
+    if (!fresh || now == before || now != desk_.channel || typed()) return;
+    dialogue_->show(), dialogue_->raise();
+    if (locked_) cover_->raise();
+    cameUp_.start();
+    bar_->rest(kComesUpMs);
 }
 
 // Logs and dry runs tell them in English.
@@ -432,10 +450,11 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
     if (key == Qt::Key_F && event->modifiers() & Qt::ControlModifier) return nextField(), true;
     if (entry_->isVisible() && entry_->key(event)) return true;
     const bool plain = !(event->modifiers() & (Qt::AltModifier | Qt::ControlModifier)) && !(key >= Qt::Key_F1 && key <= Qt::Key_F12);
+    if (dialogue_->isVisible() && cameUp_.isValid() && cameUp_.elapsed() < kComesUpMs && !(event->modifiers() & (Qt::AltModifier | Qt::ControlModifier)) && !(key == Qt::Key_F11 || key == Qt::Key_F12)) return true;
     if (dialogue_->isVisible() && plain && dialogue_->key(event)) return true;
     if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
         entry_->shut(false);
-        if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
+        if (!event->isAutoRepeat()) showKeys(), bar_->press(key - Qt::Key_F1);   // of what is chosen now
         return true;
     }
     if (key == Qt::Key_F11) return topTouched(kHitTongue), true;

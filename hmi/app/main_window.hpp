@@ -2,6 +2,7 @@
 //
 //   F1..F10 soft keys     Ctrl+F the next field of text     Alt+1..9, 0 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning     Help or Ctrl+H the manual
 #pragma once
+#include <QElapsedTimer>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
@@ -45,6 +46,7 @@ public:
     void lock(bool on);                    // for cleaning: touches and keys do nothing for a while
     HelpView& help() { return *help_; }
     DialogueView& dialogue() { return *dialogue_; }
+    static constexpr int kComesUpMs = 500; // a dialogue that has come up by itself takes no keys yet: they were meant for what was there
     void showKeys();                       // of the dialogue, or of the screen
     TextEntry& entry() { return *entry_; }
     void showHelp();                       // or hides it
@@ -71,6 +73,8 @@ private:
     std::map<QString, QString> keepsake() const;   // what a restart shows again
     void keep();                           // aside, when it is another one than before
     void nextField();
+    bool typed() const;                    // something is being typed, wherever
+    void followDialogue();
     bool keyPressed(QKeyEvent* event);
     bool keyReleased(QKeyEvent* event);
     void nextChannel(int step);
@@ -93,6 +97,7 @@ private:
     HelpView* help_;
     DialogueView* dialogue_;
     TextEntry* entry_;
+    QElapsedTimer cameUp_;                 // the dialogue, by itself
     std::size_t field_ = 0;                // that Ctrl+F went to last
     QStackedWidget* stack_;
     std::vector<Screen*> screens_;

@@ -26,6 +26,8 @@ struct SoftKey {
     bool danger = false;
     QString confirm = {};             // not empty: the first press shows this, the second one acts
     std::function<void()> release = {};   // acts while it is held: this ends it
+    QString subject = {};             // what a key with a question acts on, whole: with another one the first press asked something else
+    QString object = {};              // of it, what the question shows; of a key without one, what stands beside its sign
 };
 
 // What the help key opens: a page of the manual, the words there, and what can be told of the field itself (markdown).

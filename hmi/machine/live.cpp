@@ -1,6 +1,7 @@
 #include "hmi/machine/live.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "ipc/diagnosis/tongue.hpp"
@@ -204,6 +205,7 @@ void Live::readChannel(unsigned number) {
     view.known = find_picture(*segment, first.serial, view.picture);
     if (view.known && (view.picture.flags & kPictureNoNose)) readNose(number, running ? status.record : head - 1);
     for (std::size_t place = 0; view.known && place < kChannelAxes; ++place) view.toolShift[place] = view.picture.tool_shift[place], view.toolShown[place] = view.picture.tool_shown[place] - view.nose[place];   // BlockPicture::tool_shown, kPictureNoNose
+    readTaken(number);
     if (!running || status.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
     // Its block may go on in the records behind it: the last one says where the axes end.
     const ChannelConfig& config = config_->channel(number);
@@ -263,32 +265,74 @@ double Live::upright(unsigned channel, unsigned place, double machine) const {
     return machine;
 }
 
-// Between the selection of a program and its first block, and before the first program, no block tells what acts: the zeros with which its
-// language begins (kernel/supervisor/start_position.cpp). The tool is the one that the last program has left (ChannelView::toolShift).
-double Live::zeroAtRest(unsigned channel, unsigned place) const {
-    const Dialect speaks = language(channel);
+bool Live::rests(unsigned channel) const {
+    const auto state = static_cast<ChannelState>(status_->channels[channel - 1].state);
+    return state == ChannelState::Reset || state == ChannelState::Ended;
+}
+
+// As Core::load_zeros (channels/state) adds them.
+double Live::tableZero(unsigned channel, unsigned place, std::int32_t row) const {
     const auto& zeros = stores_[channel - 1]->zeros;
-    const auto of = [&](std::size_t row) { return zeros[row * kChannelAxes + place]; };
-    const auto named = [&](const char* name) {
-        const auto row = work_zero_row(name);
-        return row ? of(*row) : 0.0;
-    };
-    const double sum = speaks == Dialect::Fanuc || speaks == Dialect::Nct ? of(kZeroExternal) + of(kZeroG54) + of(kZeroShift) : speaks == Dialect::Sinumerik ? named("G500") : speaks == Dialect::Mefi ? named("G53") : 0.0;
+    const auto of = [&](std::size_t one) { return zeros[one * kChannelAxes + place]; };
+    const bool chosen = row > 0 && row != static_cast<std::int32_t>(kZeroShift) && static_cast<std::size_t>(row) < kWorkZeros;
+    const double sum = of(kZeroExternal) + of(kZeroShift) + (chosen ? of(static_cast<std::size_t>(row)) : 0.0);
     const AxisConfig& axis = config_->axis(config_->channel(channel).axes[place]);
     return axis.diameter && !axis.rotary ? sum / 2 : sum;
 }
 
-bool Live::fromZero(unsigned channel, unsigned place, double machine, double& out) const {
-    const ChannelView& one = view(channel);
-    if (!one.known) {
-        const auto state = static_cast<ChannelState>(status_->channels[channel - 1].state);
-        if (state != ChannelState::Reset && state != ChannelState::Ended) return false;   // a picture that is on its way
-        out = upright(channel, place, machine) - zeroAtRest(channel, place) - one.toolShift[place];
-        return true;
+// Between the selection of a program and its first block, before the first program and after the last one no block tells what acts: the zeros
+// with which its language begins (kernel/supervisor/start_position.cpp). The tool is the one that the last program has left (ChannelView::toolShift).
+double Live::zeroAtRest(unsigned channel, unsigned place) const {
+    const auto row = [&](const char* name) { return tableZero(channel, place, static_cast<std::int32_t>(work_zero_row(name).value_or(0))); };
+    switch (language(channel)) {
+        case Dialect::Fanuc: return row("G54");
+        case Dialect::Nct: {   // N1301 CLR with N1303: the group of G54 stays as the last program has left it
+            const bool stays = params::bit(*table_, params::n1301_defaultg2, channel, 7) && params::bit(*table_, params::nth(params::n1302_clr_g_table1, 2), channel, 6);
+            return stays && view(channel).zeroRow > 0 ? tableZero(channel, place, view(channel).zeroRow) : row("G54");
+        }
+        case Dialect::Sinumerik: return row("G500");
+        case Dialect::Mefi: return row(params::get(*table_, params::pt_mefi_priority, channel) == 54 ? "G54" : "G53");
+        default: return 0;   // Fagor: machine zero until a program selects one
     }
-    if ((one.picture.flags & kPictureNoShift)) return false;
-    out = upright(channel, place, machine) - one.picture.shift[place];
+}
+
+// Programs that have ended leave nothing of their zeros to the next one, and what is entered now counts for it; where they do leave them
+// (Fagor; frames of Sinumerik), it is the last block's with what has changed in the tables since. A turning axis has its turns in it.
+bool Live::zeroNow(unsigned channel, unsigned place, double& out) const {
+    const ChannelView& one = view(channel);
+    const bool rest = rests(channel);
+    const Dialect speaks = language(channel);
+    const bool begins = speaks == Dialect::Fanuc || speaks == Dialect::Nct || speaks == Dialect::Mefi;
+    if (one.known && (one.picture.flags & kPictureNoShift)) return false;
+    if (!one.known && !rest) return false;   // a picture that is on its way
+    if (!one.known || (rest && begins && !config_->axis(config_->channel(channel).axes[place]).rotary)) return out = zeroAtRest(channel, place), true;
+    out = one.picture.shift[place] - one.picture.tool_shift[place];
+    if (rest) out += tableZero(channel, place, one.zeroRow) - one.zeroTaken[place];
     return true;
+}
+
+bool Live::fromZero(unsigned channel, unsigned place, double machine, double& out) const {
+    double zero = 0;
+    if (!zeroNow(channel, place, zero)) return false;
+    out = upright(channel, place, machine) - zero - view(channel).toolShift[place];
+    return true;
+}
+
+// ChannelView::zeroTaken. A table that is changed while a program runs acts later: when the sum has changed by as much.
+void Live::readTaken(unsigned number) {
+    constexpr double kSame = 1e-6;   // sums of positions differ in their last digits
+    ChannelView& view = views_[number - 1];
+    const bool rest = rests(number), began = view.rested && !rest;
+    view.rested = rest;
+    if (!view.known || (view.picture.flags & kPictureNoShift)) return;
+    const BlockPicture& p = view.picture;
+    const bool anew = !view.zeroKnown || began || p.zero_row != view.zeroRow || (rest && p.serial != view.zeroSerial);
+    view.zeroKnown = true, view.zeroRow = p.zero_row, view.zeroSerial = p.serial;
+    for (unsigned place = 0; place < config_->channel(number).axis_count; ++place) {
+        const double sum = p.shift[place] - p.tool_shift[place], table = tableZero(number, place, p.zero_row);
+        if (anew || std::abs((sum - view.zeroSum[place]) - (table - view.zeroTaken[place])) < kSame) view.zeroTaken[place] = table;
+        view.zeroSum[place] = sum;
+    }
 }
 
 bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {

@@ -29,6 +29,13 @@ struct ChannelView {
     // By place, of the last block that was known: what the tool adds to the zeros, and what of it positions show. It holds on when another
     // program is selected: nothing has moved, and the tool is in its place until that program begins.
     std::array<double, kChannelAxes> toolShift{}, toolShown{};
+    // By place: what the tables of zeros have in the shift that `picture` tells, besides what programs add (G52, G92, frames). The picture
+    // itself says the sum only; so it is what stood there when the block's zero was chosen, and what the tables changed by when the sum did.
+    std::array<double, kChannelAxes> zeroTaken{};
+    std::array<double, kChannelAxes> zeroSum{};   // and the sum, when that was found
+    std::int32_t zeroRow = -1;
+    std::uint64_t zeroSerial = 0;
+    bool zeroKnown = false, rested = true;
 };
 
 class Live {
@@ -94,6 +101,11 @@ public:
     double toGo(unsigned channel, unsigned place) const;
     // Likewise, in the system that the program counts in, whatever absolute positions are to contain.
     bool fromZero(unsigned channel, unsigned place, double machine, double& out) const;
+    // The zero of that system, true lengths, without the tool: of the running block, or what counts while nothing runs.
+    bool zeroNow(unsigned channel, unsigned place, double& out) const;
+    // What the tables of zeros come to with that row chosen, true lengths.
+    double tableZero(unsigned channel, unsigned place, std::int32_t row) const;
+    bool rests(unsigned channel) const;    // no program runs or is to go on
 
 private:
     double zeroAtRest(unsigned channel, unsigned place) const;
@@ -104,6 +116,7 @@ private:
     void attachChannels();
     void readChannel(unsigned number);
     void readNose(unsigned number, std::uint64_t newest);
+    void readTaken(unsigned number);
     void readStore();
 
     std::string instance_;

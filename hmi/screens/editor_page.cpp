@@ -314,7 +314,7 @@ void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     bool faults = false;
     for (const Fault& one : faults_) faults |= one.line > 0;
     if (opening() || saving()) return keys.push_back({word("Stop"), [this] { stop(); }, Sign::Stop});
-    keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString()});
+    keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString(), {}, file_, file_.section('/', -1)});
     keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
     keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});
     if (part_.whole()) {

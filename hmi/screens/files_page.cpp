@@ -473,18 +473,19 @@ void FilesPage::showMenu(bool on) {
 void FilesPage::addMenuKeys(std::vector<SoftKey>& keys) {
     const FileEntry* one = chosen();
     const bool real = one && !one->up, free = !worker_.busy() && naming_ == Naming::None;
+    const QString file = chosenPath().section('/', -1);
     keys.push_back({word("Back"), [this] { naming_ != Naming::None ? name(Naming::None) : showMenu(false); }, Sign::Left});
     keys.push_back({word("Mark"), [this] { taken_ = chosenPath(), told_ = false, refresh(); }, Sign::None, real && free, !taken_.isEmpty() && taken_ == chosenPath()});
     const QString to = taken_.isEmpty() || placesShown_ ? QString() : target(), name = to.section('/', -1);
     const bool exists = std::any_of(entries_.begin(), entries_.end(), [&](const FileEntry& entry) { return entry.name == name; });
-    keys.push_back({word("Copy to here"), [this] { put(); }, Sign::Good, free && !to.isEmpty(), false, exists, exists ? word("Replaces the one that is here: press again") : QString()});
+    keys.push_back({word("Copy to here"), [this] { put(); }, Sign::Good, free && !to.isEmpty(), false, exists, exists ? word("Replaces the one that is here: press again") : QString(), {}, QString("%1 %2").arg(taken_, to), name});
     keys.push_back({word("Compare"), [this] { if (onCompare) onCompare(taken_, chosenPath()); }, Sign::None, free && isFile() && !taken_.isEmpty() && taken_ != chosenPath()});
     keys.push_back({word("Protect"), [this] { protectNext(); }, Sign::Lock, free && isFile(), one && (one->readOnly || one->level > 0)});
     const bool open = real && !one->readOnly && one->level <= level_;
-    keys.push_back({word("Rename"), [this] { this->name(Naming::Rename); }, Sign::None, free && open, naming_ == Naming::Rename, false, word("Other files may name it: press again")});
+    keys.push_back({word("Rename"), [this] { this->name(Naming::Rename); }, Sign::None, free && open, naming_ == Naming::Rename, false, word("Other files may name it: press again"), {}, chosenPath(), file});
     keys.push_back({word("New folder"), [this] { this->name(Naming::Folder); }, Sign::None, free && !placesShown_, naming_ == Naming::Folder});
     keys.push_back({word("Delete"), [this] { start(word("Deleted"), [path = chosenPath(), level = level_](const std::atomic<bool>& stop) { return removeAll(path, level, stop); }); }, Sign::Off, free && open, false, true,
-                    word("It is gone for good: press again")});
+                    word("It is gone for good: press again"), {}, chosenPath(), file});
     if (placesShown_) {
         const int row = files_->row();
         const bool own = row > 0 && row < static_cast<int>(places_.size()) && places_[static_cast<std::size_t>(row)].kind == Place::Kind::Configured;

@@ -2,6 +2,7 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
@@ -190,8 +191,8 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
     const ChannelStore& store = desk_.live.store(desk_.channel);
     if (zeros_) {
         if (p.flags & kPictureNoShift) return false;
-        applied = shown(axis, p.shift[place] - p.tool_shift[place]);
-        sum = store.zeros[place] + (p.zero_row > 0 ? store.zeros[static_cast<std::size_t>(p.zero_row) * kChannelAxes + place] : 0.0) + store.zeros[kZeroShift * kChannelAxes + place];
+        sum = shown(axis, desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), p.zero_row));
+        applied = desk_.live.rests(desk_.channel) ? sum : shown(axis, view.zeroTaken[place]);   // without what the program adds: G52, G92
         return true;
     }
     if (p.geometry <= 0 && p.wear <= 0) return false;
@@ -279,16 +280,31 @@ void Offsets::askHistory() {
     }, true);
 }
 
-// The newest change that has not been taken back.
+// The newest change that has not been taken back; nullptr: there is none.
+const Offsets::Change* Offsets::newest() const {
+    const auto found = std::find_if(changes_.rbegin(), changes_.rend(), [](const Change& one) { return !one.undone; });
+    return found == changes_.rend() ? nullptr : &*found;
+}
+
+// What stands there now, whichever table is shown.
+double Offsets::presentOf(const Value& value) const {
+    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
+    const ChannelStore& store = desk_.live.store(words[1].mid(1).toUInt());
+    if (words[0] == "zero") return store.zeros[work_zero_row(words[2].toStdString()).value_or(0) * kChannelAxes + static_cast<std::size_t>(value.place)];
+    const char letter = words[4][0].toLatin1();
+    return cellValue(store.offsets[words[2].toUInt()], static_cast<char>(words[3] == "wear" ? letter + 32 : letter));
+}
+
+// Somebody else may have changed it since (a measuring cycle, the wear of a part, another panel): that is not taken back.
 void Offsets::undo() {
-    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
-        if (change->undone) continue;
-        change->undone = true;
-        Value value = change->value;
-        value.present = change->now;
-        put(value, change->old, true);
-        return;
-    }
+    const Change* found = newest();
+    if (!found) return;
+    Change& change = changes_[static_cast<std::size_t>(found - changes_.data())];
+    change.undone = true;
+    Value value = change.value;
+    value.present = presentOf(value);
+    if (std::abs(value.present - change.now) > 5e-7) return desk_.tell(word("%1 is %2 by now: it stays").arg(value.title, lengthText(value.present, value.decimals)), Told::Refused);
+    put(value, change.old, true);
 }
 
 void Offsets::enter(bool added) { pad_->enter(added); }
@@ -303,12 +319,12 @@ void Offsets::measure() {
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
     const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act));
     const ChannelStore& store = desk_.live.store(desk_.channel);
-    const double zero = view.known && !(view.picture.flags & kPictureNoShift) ? shown(axis, view.picture.shift[place] - view.picture.tool_shift[place])
-                                                                              : store.zeros[place] + store.zeros[kZeroG54 * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
+    double zero = 0;
+    if (!desk_.live.zeroNow(desk_.channel, static_cast<unsigned>(place), zero)) zero = desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), view.known ? view.picture.zero_row : static_cast<std::int32_t>(kZeroG54));
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
     const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
     pad_->clear();
-    put(*value, inTable(axis, (machine - zero - typed->value) / shown(axis, 1)) - wear);
+    put(*value, inTable(axis, (machine - shown(axis, zero) - typed->value) / shown(axis, 1)) - wear);
 }
 
 // What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.
@@ -319,7 +335,7 @@ void Offsets::zeroHere() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = view.known ? shown(axis, view.picture.tool_shift[place]) : 0.0;
+    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = shown(axis, view.toolShift[place]);   // also of one that a program before has left
     const ChannelStore& store = desk_.live.store(desk_.channel);
     const std::size_t row = zeroRows_[static_cast<std::size_t>(table_->row())];
     double others = 0;   // that act beside it
@@ -386,26 +402,29 @@ void Offsets::refresh() {
 std::vector<SoftKey> Offsets::keys() {
     const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen().has_value();
     const auto value = chosen();
-    bool any = false;
-    for (const Change& change : changes_) any |= !change.undone;
+    const Change* last = newest();
     const bool empty = pad_->text().isEmpty(), placed = value.has_value() && value->place >= 0;
     std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
                               {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
                               {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
                               {}};
     if (partsShown_) return parts_->addKeys(keys), keys;
+    // «offset L1 3 wear X», with what is typed: another one of them is another question.
+    const QStringList words = value ? value->words.split(' ') : QStringList();
+    const auto brief = [](const QStringList& of) { return of.size() < 4 ? QString() : QString("%1 %2 %3").arg(of[1], of[2], of.last()); };
+    const QString subject = value ? value->words + "=" + pad_->text() : QString(), object = brief(words);
     const QString asks = !zeros_ ? word("Enters what was touched: press again") : probe() ? word("Probe is offset %1: press again").arg(probe()) : word("Without a probe offset: press again");
-    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks};
-    if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again")});
+    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks, {}, subject, object};
+    if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again"), {}, subject, object});
     else keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
     keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
     if (zeros_)
-        keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again")});
+        keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again"), {}, subject, object});
     else if (empty)
         keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
-        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again")});
-    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});
+        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again"), {}, subject, object});
+    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, last != nullptr, false, false, {}, {}, {}, last ? brief(last->value.words.split(' ')) : QString()});
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
         keys.push_back({word("Pattern menu"), [this] {

@@ -58,6 +58,8 @@ private:
     std::optional<Value> chosen() const { return valueAt(table_->row(), table_->column()); }
     void put(const Value& value, double now, bool undo = false);
     void undo();
+    const Change* newest() const;
+    double presentOf(const Value& value) const;
     void measure();
     void zeroHere();
     int probe() const;

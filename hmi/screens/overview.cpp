@@ -115,12 +115,15 @@ std::vector<SoftKey> Overview::keys() {
     const bool inProgram = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
     const QString name = QString("L%1").arg(channel);
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
+    QStringList beginning;
     bool anyInProgram = false, anyBegins = false, allSingle = there, anyProgram = false, anyGoesOn = false;
     for (const unsigned one : live.channels()) {
         const auto other = static_cast<ChannelState>(live.channel(one).state);
         const bool works = other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
         anyInProgram |= works;
-        anyBegins |= !works && other != ChannelState::Absent && other != ChannelState::Dead;
+        const bool begins = !works && other != ChannelState::Absent && other != ChannelState::Dead;
+        anyBegins |= begins;
+        if (begins) beginning << QString("L%1=%2").arg(one).arg(live.view(one).programs.empty() ? QString() : QString::fromStdString(live.view(one).programs[0]));
         allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
         if (live.view(one).programs.empty()) continue;
         anyProgram = true;
@@ -136,7 +139,7 @@ std::vector<SoftKey> Overview::keys() {
     };
     if (page_ != Keys::Channels) return addControlKeys(keys, there), keys;
     const std::vector<SoftKey> all{
-        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString()},   // one that goes on needs no question, one that begins does
+        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},   // one that goes on needs no question, one that begins does
         {word("Hold all"), press("feed_hold"), Sign::Hold, there},
         {word("Reset all"), press("reset"), Sign::Reset, there, false, true, anyInProgram ? word("Ends all programs: press again") : QString()},
         {word("Single block all"), [this, allSingle] {

@@ -454,7 +454,7 @@ std::vector<SoftKey> Parameters::keys() {
                               {word("Input"), [this] { pad_->enter(false); }, Sign::None, ready},
                               {word("+ Input"), [this] { pad_->enter(true); }, Sign::None, ready},
                               {word("Default value"), [this] { if (const Line* now = chosen()) put(*now, now->row->default_number(now->element)); }, Sign::None,
-                               line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again")},
+                               line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again"), {}, line ? target(*line) : QString(), line ? target(*line) : QString()},
                               {word("Undo"), [this] { undo(); }, Sign::Left, any}};
     if (page_ != Page::List) keys.assign(8, {});
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(page_ == wanted ? Page::List : wanted); }, page_ == wanted ? Sign::Left : Sign::None, desk_.live.connected(), page_ == wanted}; };

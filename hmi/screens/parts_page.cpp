@@ -198,7 +198,7 @@ void PartsPage::addKeys(std::vector<SoftKey>& keys) {
     const QJsonValue number = one ? one->value("dimension") : QJsonValue();
     keys.push_back({word("Input"), [this] { pad_->enter(false); }, Sign::None, there && one && pad_->entry().has_value()});
     keys.push_back({word("Accept proposal"), [this, number] { ask({{"do", "parts.accept"}, {"dimension", number}}, word("Written")); }, Sign::Good, there && one && one->contains("proposal"), false, false,
-                    one ? word("Wear %1 mm: press again").arg(signedText(one->value("proposal").toDouble())) : QString()});
+                    one ? word("Wear %1 mm: press again").arg(signedText(one->value("proposal").toDouble())) : QString(), {}, QString::number(number.toInt()), QString::number(number.toInt())});
     keys.push_back({});
     keys.push_back({word("New dimension"), [this] {
                         int next = 1;
@@ -206,7 +206,7 @@ void PartsPage::addKeys(std::vector<SoftKey>& keys) {
                         wanted_ = next;
                         ask({{"do", "parts.add"}, {"dimension", next}, {"fields", QJsonObject{{"nominal", "0"}, {"upper", "0.02"}, {"lower", "-0.02"}, {"channel", QString::number(desk_.channel)}, {"axis", "X"}}}}, word("New dimension"));
                     }, Sign::None, there});
-    keys.push_back({word("Delete"), [this, number] { ask({{"do", "parts.delete"}, {"dimension", number}}, word("Deleted")); }, Sign::Off, there && one, false, true, word("It is gone for good: press again")});
+    keys.push_back({word("Delete"), [this, number] { ask({{"do", "parts.delete"}, {"dimension", number}}, word("Deleted")); }, Sign::Off, there && one, false, true, word("It is gone for good: press again"), {}, QString::number(number.toInt()), QString::number(number.toInt())});
 }
 
 }  // namespace polyturn::hmi

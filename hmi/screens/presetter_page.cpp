@@ -137,7 +137,7 @@ void PresetterPage::take() {
 // The command line measures and proposes; with --yes it enters. One at a time; nothing here waits for it.
 void PresetterPage::run(QStringList arguments, bool written) {
     if (process_) return;
-    failure_.clear(), answer_ = {}, out_.clear(), errors_.clear();
+    failure_.clear(), answer_ = {}, answerFor_.clear(), out_.clear(), errors_.clear();
     written_ = false, calibrated_ = false;
     process_ = std::make_unique<QProcess>();
     QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, this, [this] { out_ += process_->readAllStandardOutput(); });
@@ -164,10 +164,20 @@ void PresetterPage::run(QStringList arguments, bool written) {
 }
 
 void PresetterPage::measure(bool write) {
-    if (chosen().isEmpty()) return;
+    if (chosen().isEmpty() || process_) return;
     QStringList arguments{"presetter", "measure", chosen(), QString("L%1").arg(desk_.channel), QString::number(number_[kOffset], 'f', 0)};
     if (write) arguments << "--yes";
     run(arguments, write);
+    answerFor_ = place();
+}
+
+QString PresetterPage::place() const { return QString("L%1 %2").arg(desk_.channel).arg(number_[kOffset], 0, 'f', 0); }
+
+// What has been measured for one offset says nothing of another.
+void PresetterPage::forgetOther() {
+    if (process_ || answerFor_.isEmpty() || answerFor_ == place()) return;
+    answer_ = {}, failure_.clear(), answerFor_.clear(), written_ = false;
+    result_->refresh();
 }
 
 void PresetterPage::calibrate() {
@@ -195,6 +205,7 @@ void PresetterPage::resizeEvent(QResizeEvent*) {
 void PresetterPage::refresh() {
     takeFolder();
     take();
+    forgetOther();
     files_->focused = !onValues_, values_->focused = onValues_;
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -267,9 +278,11 @@ bool PresetterPage::key(QKeyEvent* event) {
 
 void PresetterPage::addKeys(std::vector<SoftKey>& keys) {
     const bool ready = !chosen().isEmpty() && !process_ && desk_.live.connected();
+    forgetOther();
+    const QString offset = place();
     keys.push_back({word("Measure"), [this] { measure(false); }, Sign::None, ready});
-    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again")});
-    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again")});
+    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again"), {}, QString("%1 %2").arg(offset, chosen()), offset});
+    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again"), {}, QString("%1 %2").arg(pin(), chosen()), chosen().section('/', -1)});
 }
 
 }  // namespace polyturn::hmi

@@ -48,6 +48,8 @@ private:
     void calibrate();
     void composeResult(Writer& w);
     QString chosen() const;
+    QString place() const;             // the offset that is written: «L1 3»
+    void forgetOther();
     QString calibrationFile() const;
 
     Desk& desk_;
@@ -69,6 +71,7 @@ private:
     QRect room_;
     double number_[4] = {1, 0, 0, 0};   // no gauge pin is known before somebody has entered it
     QJsonObject answer_;
+    QString answerFor_;                // which place() it is of
     QByteArray out_, errors_;
     std::unique_ptr<QProcess> process_;
     bool written_ = false, calibrated_ = false, onValues_ = false;

@@ -277,21 +277,25 @@ std::vector<SoftKey> Programs::keys() {
     const bool can = page_ == Page::Files ? file : page_ == Page::Edit ? !editor_->file().isEmpty() : !wanted_.file.isEmpty();
     const QString saves = page_ == Page::Edit && editor_->changed() ? word("Saves the text first: press again") : QString();
     bool runs = false, begins = false;
+    QStringList beginning;
     for (const unsigned channel : desk_.live.channels()) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
         const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
         runs |= works;
-        begins |= !works && state != ChannelState::Absent && state != ChannelState::Dead;   // with this press: that is asked for
+        if (works || state == ChannelState::Absent || state == ChannelState::Dead) continue;
+        begins = true;   // with this press: that is asked for
+        const auto& programs = desk_.live.view(channel).programs;
+        beginning << QString("L%1=%2").arg(channel).arg(programs.empty() ? QString() : QString::fromStdString(programs[0]));
     }
     std::vector<SoftKey> keys{
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
-        {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves},
-        {word("Simulation, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves},
+        {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
+        {word("Simulation, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
         {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString()},
+        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
@@ -301,7 +305,7 @@ std::vector<SoftKey> Programs::keys() {
     }, Sign::Stop});
     else if (page_ == Page::Files && files_->sheet()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
     else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job, false, false,
-                                                   editor_->changed() && editor_->file() != files_->chosenPath() ? word("Unsaved text goes: press again") : QString()});
+                                                   editor_->changed() && editor_->file() != files_->chosenPath() ? word("Unsaved text goes: press again") : QString(), {}, files_->chosenPath()});
     if (page_ == Page::Files) keys.push_back({word("Copy, delete ..."), [this] { files_->showMenu(true); }, Sign::Right});
     if (page_ == Page::Edit) {
         if (editor_->opening()) keys.clear();

@@ -26,6 +26,7 @@ public:
     void refresh() override;
     void follow() override { files_->follow(), restart_->follow(), editor_->follow(), lookSaved(), takePrint(), takeSelected(), keepRun(); }
     bool key(QKeyEvent* event) override;
+    bool typing() const override { return page_ == Page::Edit || (page_ == Page::Files && files_->naming()); }
     QString state() const override;
     void restore(const QString& state) override;
     void leave() override { desk_.draft = editor_->draft(); }

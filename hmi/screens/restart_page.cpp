@@ -123,12 +123,16 @@ bool RestartPage::key(QKeyEvent* event) { return pad_->key(event) || table_->key
 
 void RestartPage::addKeys(std::vector<SoftKey>& keys) {
     bool any = false;
-    for (const unsigned channel : desk_.live.channels()) any |= at(channel).wanted >= 0;
+    QStringList blocks;
+    for (const unsigned channel : desk_.live.channels()) {
+        any |= at(channel).wanted >= 0;
+        if (at(channel).wanted >= 0) blocks << QString("L%1 N%2").arg(channel).arg(at(channel).wanted);
+    }
     keys.push_back({word("All from their last tool call"), [this] {
                         for (const unsigned channel : desk_.live.channels()) at(channel).wanted = toolBlock(at(channel));
                         refresh();
                     }, Sign::Tools, !desk_.live.channels().empty()});
-    keys.push_back({word("Restart"), [this] { restart(); }, Sign::Run, any && desk_.live.connected(), false, false, word("The axes are free: press again")});
+    keys.push_back({word("Restart"), [this] { restart(); }, Sign::Run, any && desk_.live.connected(), false, false, word("The axes are free: press again"), {}, blocks.join(' '), blocks.join(' ')});
 }
 
 }  // namespace polyturn::hmi

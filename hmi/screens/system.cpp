@@ -249,7 +249,7 @@ std::vector<SoftKey> System::keys() {
         keys.push_back({word("Save now"), [this] { save(); }, Sign::Good, there});
         keys.push_back({word("Open folder"), [this] { open(); }, Sign::Right, !file && files_->row() < static_cast<int>(entries_.size())});
         keys.push_back({word("What would change"), [this] { bringBack(true); }, Sign::None, there && file});
-        keys.push_back({word("Restore"), [this] { bringBack(false); }, Sign::Left, there && file && previewOf_ == chosenFile(), false, true, word("Everything becomes as then: press again")});
+        keys.push_back({word("Restore"), [this] { bringBack(false); }, Sign::Left, there && file && previewOf_ == chosenFile(), false, true, word("Everything becomes as then: press again"), {}, chosenFile(), chosenFile().section('/', -1)});
         return keys;
     }
     const bool named = there && !name_.isEmpty();
@@ -260,7 +260,7 @@ std::vector<SoftKey> System::keys() {
     keys.push_back({word("New user"), [this, name, told] { desk_.requests.store({{"do", "users.add"}, {"name", name}, {"level", kLevels[newLevel_]}, {"password", password_}}, told); }, Sign::None, named && !password_.isEmpty()});
     keys.push_back({word("Other level"), [this] { newLevel_ = (newLevel_ + 1) % 3, refresh(); }, Sign::None, true});
     keys.push_back({word("Give this level"), [this, name, told] { desk_.requests.store({{"do", "users.level"}, {"name", name}, {"level", kLevels[newLevel_]}}, told); }, Sign::None, named});
-    keys.push_back({word("Delete user"), [this, name, told] { desk_.requests.store({{"do", "users.delete"}, {"name", name}}, told); }, Sign::Off, named, false, true, word("It is gone: press again")});
+    keys.push_back({word("Delete user"), [this, name, told] { desk_.requests.store({{"do", "users.delete"}, {"name", name}}, told); }, Sign::Off, named, false, true, word("It is gone: press again"), {}, name, name});
     return keys;
 }
 

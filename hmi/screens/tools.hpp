@@ -86,6 +86,7 @@ private:
     void dropped(std::int32_t tool, const QPoint& global);
     void unload();
     void newInsert();
+    unsigned channelOf(const ToolRow& row) const;
     void setField(const char* field, const QString& value);
     void fieldActivated();
     void addTool();

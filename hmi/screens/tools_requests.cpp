@@ -51,16 +51,25 @@ void Tools::unload() {
     });
 }
 
-// A new insert: its life begins, it is not worn any more, and the wear of its offset is none.
+// Whose offsets a tool uses: the channel of the turret in which it stands, or the only one there is; 0: that is not known.
+unsigned Tools::channelOf(const ToolRow& row) const {
+    const auto& all = desk_.live.channels();
+    for (const unsigned l : all)
+        if (row.magazine && static_cast<std::int32_t>(params::get(desk_.live.table(), params::pt_turret_magazine, l)) == row.magazine) return l;
+    return all.size() == 1 ? all.front() : 0;
+}
+
+// A new insert: its life begins, it is not worn any more, and the wear of its offset is none. Of a tool outside the turrets nobody knows in
+// which channel that offset is: the same number of another one may be that of a tool which works.
 void Tools::newInsert() {
     const ToolRow* row = chosen();
     if (!row) return;
     const QString name = toolName(*row, tool_);
-    unsigned channel = desk_.channel;   // whose offsets: that of the turret in which it stands
-    for (const unsigned l : desk_.live.channels())
-        if (row->magazine && static_cast<std::int32_t>(params::get(desk_.live.table(), params::pt_turret_magazine, l)) == row->magazine) channel = l;
-    desk_.requests.store({{"do", "life.reset"}, {"tools", QJsonArray{tool_}}, {"channel", static_cast<int>(channel)}}, [this, name](const Answer& answer) {
-        if (answer.ok) desk_.tell(word("%1 has a new insert: life and wear begin anew").arg(name), Told::Good);
+    const unsigned channel = channelOf(*row);
+    QJsonObject request{{"do", "life.reset"}, {"tools", QJsonArray{tool_}}};
+    if (channel) request.insert("channel", static_cast<int>(channel));
+    desk_.requests.store(request, [this, name, channel](const Answer& answer) {
+        if (answer.ok) desk_.tell((channel ? word("%1 has a new insert: life and wear begin anew") : word("%1 has a new insert: its life begins anew, the wear of its offset stays")).arg(name), Told::Good);
         lookAt_ = 0;
     });
 }
@@ -128,7 +137,9 @@ std::vector<SoftKey> Tools::keys() {
     const ToolRow* tool = there ? chosen() : nullptr;
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
     std::vector<SoftKey> keys{page(Page::Magazine, word("Magazines")), page(Page::Data, word("Tool data")), page(Page::Life, word("Life")), page(Page::Pallets, word("Pallets")), page(Page::Presetter, word("Presetter"))};
-    const SoftKey insert{word("New insert"), [this] { newInsert(); }, Sign::Good, tool != nullptr, false, false, word("Life and wear to 0: press again")};
+    const unsigned turret = tool ? channelOf(*tool) : 0;
+    const QString name = tool ? toolName(*tool, tool_) : QString();
+    const SoftKey insert{word("New insert"), [this] { newInsert(); }, Sign::Good, tool != nullptr, false, false, turret ? word("Life and wear to 0: press again") : word("Life to 0, wear stays: press again"), {}, QString("%1 L%2").arg(tool_).arg(turret), name};
     const bool locked = tool && (tool->state & kToolLocked);
     const SoftKey lock{locked ? word("Release tool") : word("Lock tool"), [this, locked] { setField("locked", locked ? "0" : "1"); }, Sign::Lock, tool != nullptr, locked};
     switch (page_) {
@@ -142,7 +153,7 @@ std::vector<SoftKey> Tools::keys() {
         }
         case Page::Data: {
             keys.push_back({word("New tool"), [this] { addTool(); }, Sign::None, there});
-            keys.push_back({word("Delete tool"), [this] { desk_.requests.store({{"do", "tools.delete"}, {"tool", tool_}}); }, Sign::Off, tool != nullptr, false, true, word("It is gone: press again")});
+            keys.push_back({word("Delete tool"), [this] { desk_.requests.store({{"do", "tools.delete"}, {"tool", tool_}}); }, Sign::Off, tool != nullptr, false, true, word("It is gone: press again"), {}, QString::number(tool_), name});
             keys.push_back(insert), keys.push_back(lock);
             const ToolPlace* place = tool ? placeOf(desk_.live, tool->magazine, tool->pot) : nullptr;
             const bool shut = place && (place->state & kPlaceLocked);

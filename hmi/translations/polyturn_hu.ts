@@ -30,6 +30,11 @@
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
+        <translation>%1: új lapka, az éltartam újrakezdődik, a korrekciójának kopása marad</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: új lapka, az éltartam és a kopás újrakezdődik</translation>
     </message>
@@ -37,6 +42,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>összesen %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is %2 by now: it stays</source>
+        <translation>%1: már %2, így marad</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -2022,6 +2032,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>Life nearly over</source>
         <translation>Éltartam fogytán</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life to 0, wear stays: press again</source>
+        <translation>Éltartam nullára, kopás marad: újra</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -5114,7 +5129,7 @@
         <translation>kB</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/alarm_book.cpp"/>
         <source>line</source>
         <translation>sor</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "hmi/widgets/soft_keys.hpp"
 
+#include <QFontMetricsF>
 #include <algorithm>
 
 namespace polyturn::hmi {
@@ -12,16 +13,16 @@ SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
 
 void SoftKeyBar::show(std::vector<SoftKey> keys) {
     keys.resize(kKeys);
-    if (asked_ >= 0) {   // another key at its place (another channel, another screen) has not been asked for
+    if (asked_ >= 0) {   // another key at its place (another channel, another screen), or the same one for something else, has not been asked for
         const SoftKey &before = keys_[static_cast<std::size_t>(asked_)], &now = keys[static_cast<std::size_t>(asked_)];
-        if (!now.enabled || now.text != before.text || now.confirm != before.confirm) asked_ = -1;
+        if (!now.enabled || now.text != before.text || now.confirm != before.confirm || now.subject != before.subject) asked_ = -1;
     }
     keys_ = std::move(keys);
     refresh();
 }
 
 void SoftKeyBar::press(int number) {
-    if (number < 0 || number >= static_cast<int>(keys_.size())) return;
+    if (number < 0 || number >= static_cast<int>(keys_.size()) || (resting_.isValid() && resting_.elapsed() < restMs_)) return;
     const SoftKey key = keys_[static_cast<std::size_t>(number)];   // what it does may show other keys
     if (key.text.isEmpty() || !key.enabled) return;
     if (!key.confirm.isEmpty() && asked_ != number) {
@@ -66,8 +67,15 @@ void SoftKeyBar::compose(Writer& w) {
         w.text(QRectF(box.right() - px(30), box.top() + px(3), px(25), px(15)), QString("F%1").arg(i + 1), lettering(11), !key.enabled ? t.faint : asked ? ink : t.dim,
                Qt::AlignRight | Qt::AlignVCenter);
         if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
-        double left = box.left() + px(7);
-        if (key.sign != Sign::None) {
+        const double left = box.left() + px(7);
+        const bool plain = key.confirm.isEmpty();
+        if (!key.object.isEmpty() && (asked || plain)) {   // a question has it in the place of the sign
+            const double from = box.left() + px(plain ? 26 : 7);
+            const QRectF room(from, box.top() + px(3), box.right() - px(30) - from, px(15));
+            const QFont small = lettering(12, true, Face::Condensed);
+            w.data(room, QFontMetricsF(small).elidedText(key.object, Qt::ElideMiddle, room.width() - px(2)), small, ink);
+        }
+        if (key.sign != Sign::None && (!asked || key.object.isEmpty())) {
             w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
         }
         Item& label = w.text(QRectF(left, box.top() + px(19), box.right() - px(6) - left, box.height() - px(24)), asked ? key.confirm : key.text,

@@ -15,6 +15,7 @@ public:
     void show(std::vector<SoftKey> keys);
     void press(int key);     // from 0
     void letGo(int key);
+    void rest(int ms) { restMs_ = ms, resting_.start(); }   // other keys have come by themselves: a finger that was on its way meant those before
     const std::vector<SoftKey>& keys() const { return keys_; }
     int asked() const { return asked_; }   // the key that asks; -1 none
     int waits() const;       // ms until the second press of the key that asks counts
@@ -29,6 +30,8 @@ private:
     int asked_ = -1;         // waits for its second press
     QElapsedTimer askedSince_;
     int down_ = -1;
+    QElapsedTimer resting_;
+    int restMs_ = 0;
     QTimer forget_;
 };
 

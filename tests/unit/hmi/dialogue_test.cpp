@@ -22,15 +22,22 @@ protected:
         ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
         ASSERT_TRUE(g_controller->press("select L1=" + g_controller->folder.filePath("O0001.nc")));
         ASSERT_TRUE(g_controller->press("cycle_start L1"));
-        ASSERT_TRUE(waitFor([&] { return view().isVisible(); }));
+        ASSERT_TRUE(waitFor([&] { return asks(); }));
     }
+    bool asks() const { return view().channel() == 1 && view().title() == "HOLE"; }
     DialogueView& view() const { return window->dialogue(); }
 };
 
 TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     begin();
     Operator hand(*window);
+    EXPECT_TRUE(view().isVisible());
+    hand.key(Qt::Key_2), hand.key(Qt::Key_Return), hand.key(Qt::Key_F10);   // meant for what was there before
+    frames(*window, 100);
+    EXPECT_TRUE(view().isVisible());
     EXPECT_EQ(view().title(), "HOLE");
+    QTest::qWait(MainWindow::kComesUpMs);
+    EXPECT_EQ(view().keys()[8].text, "Hold all");
     ASSERT_EQ(view().table().rows(), 2);
     EXPECT_EQ(view().sheets().size(), 3u) << "a menu has no field for figures";
     noWordIsShortened(*window);
@@ -39,6 +46,7 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     hand.key(Qt::Key_2);                              // the pattern by its number
     hand.key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return view().title() == "GRID"; }));
+    QTest::qWait(MainWindow::kComesUpMs);
     EXPECT_EQ(view().table().cell(0, 1).text, "PITCH");
     EXPECT_EQ(view().sheets().size(), 4u);
     hand.type("25/2"), hand.key(Qt::Key_Return);
@@ -54,6 +62,32 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Ended; }));
     EXPECT_FALSE(view().isVisible());
     EXPECT_TRUE(waitFor([&] { return live().store(1).variables[0] == 12.5 && live().store(1).variables[1] == 3 && live().store(1).variables[2] == 25; })) << live().store(1).variables[0];
+}
+
+// Who types an offset types it into the offset; Hold and Reset of the channel that he looks at stay where they are.
+TEST_F(DialogueTasks, NothingComesOverWhatSomebodyDoes) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    hand.type("123");
+    begin();
+    frames(*window, 200);
+    EXPECT_FALSE(view().isVisible());
+    hand.type("45");
+    hand.key(Qt::Key_Escape);
+    hand.touch(window->ownSheets()[0], 5);            // the line at the top
+    EXPECT_TRUE(view().isVisible());
+    ASSERT_TRUE(g_controller->press("reset L1"));
+    ASSERT_TRUE(waitFor([&] { return !view().isVisible(); }));
+    hand.screen("overview");
+    hand.key(Qt::Key_2, Qt::ControlModifier);
+    begin();                                          // in L1
+    frames(*window, 200);
+    EXPECT_FALSE(view().isVisible());
+    hand.key(Qt::Key_D, Qt::ControlModifier);
+    EXPECT_TRUE(view().isVisible());
+    ASSERT_TRUE(g_controller->press("reset L1"));
+    ASSERT_TRUE(waitFor([&] { return !view().isVisible(); }));
+    hand.key(Qt::Key_1, Qt::ControlModifier);
 }
 
 TEST_F(DialogueTasks, AResetTakesThePageAway) {

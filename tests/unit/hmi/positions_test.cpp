@@ -107,6 +107,56 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     ASSERT_TRUE(g_controller->run({"params", "set", "F8200 L1=00000000", "--instance", g_controller->name}));
 }
 
+// What is entered after the end of a program counts for positions and for what is measured, as it will for the next program.
+TEST_F(Positions, CountTheTablesWhileNothingRuns) {
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-50"));
+    runTo({"F3104 L1=00000000"}, "O77\nG40 G98\nT0100\nG0 X60. Z5.\nM0\nM30\n");
+    ASSERT_FALSE(HasFatalFailure());
+    EXPECT_NEAR(shownAt(1), 5, 1e-6);
+    ASSERT_TRUE(g_controller->press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Ended; }));
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-40"));
+    ASSERT_NEAR(live().status().axes[1].act, -45, 2e-3);
+    EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(1) + 5) < 1e-6; }, 5)) << shownAt(1);
+    Operator hand(*window);
+    hand.screen("offsets");
+    hand.soft("Tool offsets");
+    hand.touchCell(screenOf<Offsets>().table(), 4, 2);   // offset 5: geometry Z
+    hand.type("0");
+    hand.soft("Measured"), hand.soft("Measured");
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[5].geometry[2] + 5) < 5e-3; }, 10)) << live().store(1).offsets[5].geometry[2];
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
+}
+
+// What a program adds to a zero (G52) is nothing that waits; what is entered while it runs does.
+TEST_F(Positions, OnlyWhatIsEnteredWaitsForTheNextBlocks) {
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-50"));
+    runTo({"F3104 L1=00000000"}, "O77\nG40 G98\nT0100\nG52 Z-3.\nG0 X60. Z5.\nM0\nG0 Z6.\nM0\nM30\n");
+    ASSERT_FALSE(HasFatalFailure());
+    Operator hand(*window);
+    hand.screen("offsets");
+    hand.soft("Work zeros");
+    hand.touchCell(screenOf<Offsets>().table(), 1, 2);   // external, G54: Z
+    const auto says = [&](const QString& text) {
+        window->screen()->refresh();
+        for (Sheet* sheet : window->screen()->sheets())
+            for (const Item& one : sheet->items())
+                if (one.text == text) return true;
+        return false;
+    };
+    EXPECT_TRUE(waitFor([&] { return says("Active"); }, 5));
+    EXPECT_FALSE(says("Active from the next blocks"));
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-49"));
+    EXPECT_TRUE(waitFor([&] { return says("Active from the next blocks"); }, 10));
+    for (int start = 0; start < 2; ++start) {   // what has been read before is driven as it was read
+        ASSERT_TRUE(g_controller->press("cycle_start L1"));
+        (void)waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Ended; }, 2);
+        ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::ProgramStop || state(1) == ChannelState::Ended; }));
+    }
+    EXPECT_TRUE(waitFor([&] { return says("Active"); }, 5));
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
+}
+
 // A selection moves nothing and takes no tool away: what is shown stays as it is until the program begins.
 TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
     ASSERT_TRUE(g_controller->run({"params", "set", "F3104 L1=01000000", "--instance", g_controller->name}));   // DAL: positions are without the offset

@@ -173,6 +173,32 @@ TEST(SoftKeys, AreAskedForOneByOne) {
     EXPECT_EQ(first, 0);
 }
 
+// The same key for another file, tool or value has not been asked for; what it acts on stands in the question.
+TEST(SoftKeys, AreAskedAnewForAnotherSubject) {
+    SoftKeyBar bar(nullptr);
+    bar.resize(1280, 80);
+    int first = 0, second = 0;
+    const auto key = [](const char* file, int& count) { return SoftKey{"Delete", [&count] { ++count; }, Sign::Off, true, false, true, "press again", {}, QString("/folder/") + file, file}; };
+    const auto says = [&](const QString& text) {
+        bar.refresh();
+        return std::any_of(bar.items().begin(), bar.items().end(), [&](const Item& one) { return one.text == text; });
+    };
+    bar.show({key("a.nc", first)});
+    EXPECT_FALSE(says("a.nc"));
+    bar.press(0);
+    EXPECT_TRUE(says("a.nc"));
+    QTest::qWait(SoftKeyBar::kReadMs + 20);
+    bar.show({key("b.nc", second)});
+    bar.press(0);
+    EXPECT_EQ(second, 0) << "asked for a.nc";
+    EXPECT_TRUE(says("b.nc"));
+    QTest::qWait(SoftKeyBar::kReadMs + 20);
+    bar.show({key("b.nc", second)});
+    bar.press(0);
+    EXPECT_EQ(second, 1);
+    EXPECT_EQ(first, 0);
+}
+
 TEST(Screens, AreReachedByKeysAlone) {
     MainWindow window(nobody());
     window.show();

@@ -25,6 +25,43 @@ TEST_F(Tasks, CorrectAWearByTwoHundredthsInFourActions) {
     EXPECT_EQ(state(1), ChannelState::Running);
 }
 
+// What somebody else has changed since stays: who takes back takes back his own.
+TEST_F(Tasks, UndoTakesBackOnlyWhatStillStandsThere) {
+    ASSERT_TRUE(g_controller->set("offset L1 8 wear X=0"));
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    hand.soft("Tool offsets");
+    hand.touchCell(offsets.table(), 7, 5);
+    const auto wear = [&] { return live().store(1).offsets[8].wear[0]; };
+    const auto enter = [&] {
+        hand.type("0.01");
+        hand.soft("Input");
+        return waitFor([&] { return std::abs(wear() - 0.01) < 1e-9; });
+    };
+    const auto undo = [&] {
+        frames(*window);
+        for (const SoftKey& one : offsets.keys())
+            if (one.text == "Undo") return one;
+        return SoftKey{};
+    };
+    ASSERT_TRUE(enter());
+    ASSERT_TRUE(waitFor([&] { return undo().enabled; }));
+    EXPECT_EQ(undo().object, "L1 8 X");
+    ASSERT_TRUE(g_controller->set("offset L1 8 wear X=0.5"));
+    ASSERT_TRUE(waitFor([&] { return std::abs(wear() - 0.5) < 1e-9; }));
+    hand.soft("Undo");
+    frames(*window, 500);
+    EXPECT_NEAR(wear(), 0.5, 1e-9);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "0.500"));
+    EXPECT_FALSE(undo().enabled);
+    ASSERT_TRUE(g_controller->set("offset L1 8 wear X=0"));
+    ASSERT_TRUE(waitFor([&] { return wear() == 0; }));
+    ASSERT_TRUE(enter());
+    hand.soft("Undo");
+    EXPECT_TRUE(waitFor([&] { return wear() == 0; }));
+}
+
 TEST_F(Tasks, SelectAJobAndStartItInFiveActions) {
     Programs& programs = screenOf<Programs>();
     programs.restore("0|" + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/O1001.nc");   // the folder shown last

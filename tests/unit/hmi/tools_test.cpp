@@ -52,6 +52,28 @@ TEST_F(ToolTasks, AToolIsLoadedByKeysAlone) {
     EXPECT_TRUE(waitFor([&] { return row(2).magazine == 0; }));
 }
 
+// Nobody knows in which channel the offset of a tool on the shelf is: no wear of a working tool is lost.
+TEST_F(ToolTasks, ANewInsertOutsideATurretLeavesTheWearOfTheChosenChannel) {
+    for (const char* offset : {"1", "3"}) ASSERT_TRUE(g_controller->set(QString("offset L1 %1 wear X=0.05").arg(offset)));
+    ASSERT_TRUE(g_controller->run({"tools", "set", "2", "counter=4", "--instance", g_controller->name}));
+    ASSERT_TRUE(waitFor([&] { return row(2).counter == 4 && live().store(1).offsets[1].wear[0] == 0.05 && live().store(1).offsets[3].wear[0] == 0.05; }));
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.key(Qt::Key_Tab);                       // to the list
+    hand.key(Qt::Key_Down);                      // FINISH_35, in no magazine
+    ASSERT_EQ(tools.tool(), 2);
+    hand.soft("New insert"), hand.soft("New insert");
+    ASSERT_TRUE(waitFor([&] { return row(2).counter == 0; }));
+    frames(*window, 300);
+    EXPECT_EQ(live().store(1).offsets[3].wear[0], 0.05);
+    hand.key(Qt::Key_Up);                        // in the turret of L1
+    ASSERT_EQ(tools.tool(), 1);
+    hand.soft("New insert"), hand.soft("New insert");
+    EXPECT_TRUE(waitFor([&] { return live().store(1).offsets[1].wear[0] == 0; }));
+    ASSERT_TRUE(g_controller->set("offset L1 3 wear X=0"));
+}
+
 TEST_F(ToolTasks, AToolIsDraggedFromTheListFromPlaceToPlaceAndBack) {
     Operator hand(*window);
     hand.screen("tools");
@@ -122,6 +144,34 @@ TEST_F(ToolTasks, LifeTellsWhatStopsTheMachineFirst) {
     hand.soft("Pallets");
     hand.soft("Presetter");
     noWordIsShortened(*window);
+}
+
+// What the presetter has said of one offset is not entered into another one.
+TEST_F(ToolTasks, TheAnswerOfThePresetterIsForgottenWithItsOffset) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("tool.pgm"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("P5 4 4 255\n" + QByteArray(16, '\x80'));
+    file.close();
+    Operator hand(*window);
+    hand.screen("tools");
+    PresetterPage& page = screenOf<Tools>().presetter();
+    hand.soft("Presetter");
+    page.readFolder(folder.path());
+    const auto measure = [&] {
+        hand.soft("Measure");
+        return waitFor([&] { return !page.busy() && (!page.failure().isEmpty() || !page.answer().isEmpty()); });
+    };
+    const auto forgotten = [&] { return page.failure().isEmpty() && page.answer().isEmpty(); };
+    ASSERT_TRUE(measure());
+    hand.touchCell(page.values(), 0, 1);
+    hand.type("7"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor(forgotten, 5));
+    ASSERT_TRUE(measure());
+    frames(*window, 100);
+    EXPECT_FALSE(forgotten()) << "it is of this one";
+    hand.key(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor(forgotten, 5));
 }
 
 // The life of a tool ends while the job runs: from the message to the restart.
