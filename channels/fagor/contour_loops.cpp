@@ -50,24 +50,33 @@ double distance_to(const Element& e, Point p) {
     return std::min(length(p - e.from), length(p - e.to));
 }
 
-// So far from the inner corner of two lines the nose stands when it lies against both.
-double taken_by_corner(const Element& a, const Element& b, double nose, int side) {
+// By how much the corner between two lines shortens the way of the nose along each: an inner one does, an outer one may lengthen it.
+double taken_by_corner(const Element& a, const Element& b, const Nose& nose) {
+    if (b.rapid) return nose.radius;   // the nose stops before it (8.2.7)
     if (is_arc(a) || is_arc(b)) return 0.0;
     const Point d = direction(a, 1.0), e = direction(b, 0.0);
-    const double turn = side * std::atan2(cross(d, e), dot(d, e));
-    constexpr double kStraight = 1e-6;
-    return turn > kStraight && turn < std::numbers::pi - kStraight ? nose * std::tan(turn / 2) : 0.0;
+    const double turn = nose.side * std::atan2(cross(d, e), dot(d, e));
+    constexpr double kStraight = 1e-6, kMostExtended = std::numbers::pi * 2 / 3 + kStraight;   // 300 degrees on the nose's side (8.2.5)
+    if (turn > kStraight) return turn < std::numbers::pi - kStraight ? nose.radius * std::tan(turn / 2) : 0.0;
+    if (nose.corner == compensation::Corner::Arc || turn < -kMostExtended) return 0.0;
+    const double extended = std::tan(turn / 2);
+    return nose.radius * (nose.corner == compensation::Corner::Extended ? std::fmax(extended, -1.0) : extended);
 }
 
 // The nose on its way along k would cut into an element of the window, wherever on k it stands.
-bool collides(const std::vector<Element>& all, std::size_t k, double nose, int side, std::size_t window) {
+bool collides(const std::vector<Element>& all, std::size_t k, const Nose& tool, std::size_t window) {
     const Element& e = all[k];
+    const double nose = tool.radius;
+    const int side = tool.side;
+    if (e.rapid) return false;
     if (is_arc(e) && (e.sweep > 0 ? 1 : -1) == side && e.radius < nose - kClose) return true;   // the nose lies inside of an arc that it does not fit
     double begin = 0.0, end = 1.0;   // the share of a line that the corners leave; none: the compensated line would run backwards
     if (const double l = length(e.to - e.from); !is_arc(e) && l > kClose) {
-        if (k > 0) begin = taken_by_corner(all[k - 1], e, nose, side) / l;
-        if (k + 1 < all.size()) end -= taken_by_corner(e, all[k + 1], nose, side) / l;
+        if (k > 0) begin = taken_by_corner(all[k - 1], e, tool) / l;
+        if (k + 1 < all.size()) end -= taken_by_corner(e, all[k + 1], tool) / l;
         if ((begin - end) * l > kClose) return true;
+        if (begin > 1 || end < 0) begin = end = begin > 1 ? begin : end;   // only its continuation is driven: as far as the inner corner
+        else begin = std::fmax(begin, 0.0), end = std::fmin(end, 1.0);
     }
     const std::size_t first = k > window ? k - window : 0, last = std::min(all.size() - 1, k + window);
     for (int s = 0; s < kSamples; ++s) {
@@ -75,7 +84,7 @@ bool collides(const std::vector<Element>& all, std::size_t k, double nose, int s
         const Point d = direction(e, share), centre = at_share(e, share) + nose * static_cast<double>(side) * Point{-d.x, d.z};
         bool free = true;
         for (std::size_t m = first; free && m <= last; ++m)
-            if (m + 1 < k || m > k + 1) free = distance_to(all[m], centre) >= nose - kClose;
+            if ((m + 1 < k || m > k + 1) && !all[m].rapid) free = distance_to(all[m], centre) >= nose - kClose;
         if (free) return false;
     }
     return true;
@@ -138,47 +147,47 @@ bool in_line(const Element& a, const Element& b) {
 
 // Of the elements i to j two lines that meet, both long enough for the nose in the inner corner between them: the shoulder of a groove
 // whose other one is lower, with the surface that follows.
-std::optional<ContourLoop> inner_corner(const std::vector<Element>& all, std::size_t i, std::size_t j, double nose, int side) {
+std::optional<ContourLoop> inner_corner(const std::vector<Element>& all, std::size_t i, std::size_t j, const Nose& nose) {
     for (std::size_t span = j - i - 1; span >= 2; --span)
         for (std::size_t a = i; a + span <= j; ++a) {
             const std::size_t b = a + span;
             Element in = all[a], out = all[b];
-            if (is_arc(in) || is_arc(out)) continue;
+            if (is_arc(in) || is_arc(out) || out.rapid) continue;
             const auto p = meeting(in, out);
             if (!p || (a != i && distance_to(in, *p) > kClose) || (b != j && distance_to(out, *p) > kClose)) continue;
             in.to = out.from = *p;
-            const double taken = taken_by_corner(in, out, nose, side);
-            const double before = a > 0 ? taken_by_corner(all[a - 1], in, nose, side) : 0.0;
-            const double behind = b + 1 < all.size() ? taken_by_corner(out, all[b + 1], nose, side) : 0.0;
+            const double taken = taken_by_corner(in, out, nose);
+            const double before = a > 0 ? taken_by_corner(all[a - 1], in, nose) : 0.0;
+            const double behind = b + 1 < all.size() ? taken_by_corner(out, all[b + 1], nose) : 0.0;
             if (taken > 0 && before + taken < length(in.to - in.from) + kClose && taken + behind < length(out.to - out.from) + kClose) return ContourLoop{a, b, p};
         }
     return std::nullopt;
 }
 
 // How i goes on where all elements up to j collide.
-std::optional<ContourLoop> around(const std::vector<Element>& all, std::size_t i, std::size_t j, double nose, int side) {
+std::optional<ContourLoop> around(const std::vector<Element>& all, std::size_t i, std::size_t j, const Nose& nose) {
     if (const auto p = meeting(all[i], all[j])) return ContourLoop{i, j, p};
-    if (is_arc(all[i]) || is_arc(all[j]) || in_line(all[i], all[j])) return ContourLoop{i, j, std::nullopt};
-    if (const auto corner = inner_corner(all, i, j, nose, side)) return corner;
+    if (is_arc(all[i]) || is_arc(all[j]) || all[j].rapid || in_line(all[i], all[j])) return ContourLoop{i, j, std::nullopt};
+    if (const auto corner = inner_corner(all, i, j, nose)) return corner;
     // Straight to the end of j, unless that would cut below the beginning of j.
-    if (side * cross(direction(all[i], 1.0), all[j].from - all[i].to) > 0) return std::nullopt;
+    if (nose.side * cross(direction(all[i], 1.0), all[j].from - all[i].to) > 0) return std::nullopt;
     return ContourLoop{i, j, std::nullopt};
 }
 
-std::vector<ContourLoop> one_pass(const std::vector<Element>& all, double nose, int side, std::size_t window) {
+std::vector<ContourLoop> one_pass(const std::vector<Element>& all, const Nose& nose, std::size_t window) {
     std::vector<ContourLoop> loops;
     std::vector<bool> bad(all.size());
-    for (std::size_t k = 0; k < all.size(); ++k) bad[k] = collides(all, k, nose, side, window);
+    for (std::size_t k = 0; k < all.size(); ++k) bad[k] = collides(all, k, nose, window);
     for (std::size_t i = 0; i + 2 < all.size(); ++i) {
-        if (bad[i]) continue;
+        if (bad[i] || all[i].rapid) continue;
         const std::size_t last = std::min(all.size() - 1, i + window);
         std::optional<ContourLoop> loop;
         for (std::size_t j = last; !loop && j >= i + 2; --j)
-            if (const auto p = crossing(all[i], all[j])) loop = ContourLoop{i, j, p};
+            if (const auto p = all[j].rapid ? std::nullopt : crossing(all[i], all[j])) loop = ContourLoop{i, j, p};
         if (!loop && bad[i + 1]) {
             std::size_t j = i + 1;
             while (j <= last && bad[j]) ++j;
-            if (j <= last) loop = around(all, i, j, nose, side);
+            if (j <= last) loop = around(all, i, j, nose);
         }
         if (!loop) continue;
         loops.push_back(*loop);
@@ -201,13 +210,13 @@ void cut_to(Element& e, Point from, Point to) {
     e.from = from, e.to = to;
 }
 
-// The elements first to last of a contour without rapid moves between them. What is left of it may not be free either.
-void loops_of(const std::vector<Element>& all, std::size_t first, std::size_t last, double nose, int side, std::size_t window, std::vector<ContourLoop>& loops) {
+// The elements first to last of a contour, at most the last of them rapid. What is left of it may not be free either.
+void loops_of(const std::vector<Element>& all, std::size_t first, std::size_t last, const Nose& nose, std::size_t window, std::vector<ContourLoop>& loops) {
     std::vector<Element> left(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
     std::vector<std::size_t> place(left.size());
     std::iota(place.begin(), place.end(), first);
     for (int pass = 0; pass < kMostPasses && left.size() >= 3; ++pass) {
-        const auto found = one_pass(left, nose, side, window);
+        const auto found = one_pass(left, nose, window);
         if (found.empty()) break;
         for (auto loop = found.rbegin(); loop != found.rend(); ++loop) {
             Element &before = left[loop->before], &after = left[loop->after];
@@ -228,14 +237,13 @@ void loops_of(const std::vector<Element>& all, std::size_t first, std::size_t la
 
 }  // namespace
 
-std::vector<ContourLoop> find_loops(const std::vector<Element>& all, double nose, int side, std::size_t window) {
+std::vector<ContourLoop> find_loops(const std::vector<Element>& all, const Nose& nose, std::size_t window) {
     std::vector<ContourLoop> loops;
-    if (nose <= 0 || side == 0) return loops;
-    for (std::size_t first = 0; first < all.size();) {
-        std::size_t last = first;
+    if (nose.radius <= 0 || nose.side == 0) return loops;
+    for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
         while (last < all.size() && !all[last].rapid) ++last;
-        loops_of(all, first, last, nose, side, window, loops);
-        first = last + 1;
+        if (last < all.size()) ++last;
+        loops_of(all, first, last, nose, window, loops);
     }
     return loops;
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "channels/compensation/options.hpp"
 #include "channels/cycles/contour.hpp"
 
 namespace polyturn::channels::fagor {
@@ -19,7 +20,13 @@ struct ContourLoop {
     std::optional<cycles::Point> meeting;      // where `before` ends; nothing: where it is programmed to end
 };
 
-// side: +1 the nose is left of the path, -1 right of it. window: so many elements are looked at together.
-std::vector<ContourLoop> find_loops(const std::vector<cycles::Element>& elements, double nose_radius, int side, std::size_t window);
+struct Nose {
+    double radius = 0.0;
+    int side = 0;                              // +1 left of the path, -1 right of it
+    compensation::Corner corner = compensation::Corner::Intersection;   // how it gets round an outer one
+};
+
+// window: so many elements are looked at together.
+std::vector<ContourLoop> find_loops(const std::vector<cycles::Element>& elements, const Nose& nose, std::size_t window);
 
 }  // namespace polyturn::channels::fagor

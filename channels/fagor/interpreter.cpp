@@ -71,12 +71,16 @@ void Interpreter::show_diameter() {
     if (x >= 0) core_.view().axes[static_cast<std::size_t>(x)].diameter = modal_.diameter;
 }
 
+compensation::Corner Interpreter::outer_corner() const {
+    return settings_.comp_mode == 1 ? compensation::Corner::Arc : settings_.comp_mode == 2 ? compensation::Corner::Intersection : compensation::Corner::Extended;
+}
+
 Result<void> Interpreter::start(FileId main) {
     core_.begin_control();
     core_.compensation_reset();
     compensation::Options options;
     options.tips = &compensation::kTipsAround;
-    options.corner = settings_.comp_mode == 1 ? compensation::Corner::Arc : settings_.comp_mode == 2 ? compensation::Corner::Intersection : compensation::Corner::Extended;
+    options.corner = outer_corner();
     options.intersection_from_deg = options.arc_below_deg = 60.0;   // 300 degrees on the tool's side
     options.small_vector = compensation::kTangentialMm;
     options.leaves_direct = true;   // 8.2.6: from the perpendicular point straight to the end of the G40 block

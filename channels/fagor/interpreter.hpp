@@ -196,6 +196,7 @@ private:
         cycles::Point end;                      // otherwise where it ends instead
     };
     bool scan_loops();
+    compensation::Corner outer_corner() const;
     std::vector<cycles::Element> record_ahead(const Interpreter& caller, cycles::ContourRecorder& recorder, unsigned p, unsigned q, std::uint64_t& to);
     bool leave_out(AxisValues& target);
     bool drive_left_out(const AxisValues& target, bool rapid);

@@ -25,7 +25,8 @@ bool Interpreter::scan_loops() {
     const std::vector<cycles::Element> elements = reader.record_ahead(*this, recorder, p, q, scanned_to_);
     source_->seek(back);
     show_diameter();
-    for (const ContourLoop& loop : find_loops(elements, core_.path.tool.nose_radius, modal_.comp == 41 ? 1 : -1, static_cast<std::size_t>(modal_.collision_blocks))) {
+    const Nose nose{core_.path.tool.nose_radius, modal_.comp == 41 ? 1 : -1, outer_corner()};
+    for (const ContourLoop& loop : find_loops(elements, nose, static_cast<std::size_t>(modal_.collision_blocks))) {
         if (loop.meeting) loops_[elements[loop.before].at.serial] = {false, false, *loop.meeting};
         for (std::size_t k = loop.before + 1; k < loop.after; ++k) loops_[elements[k].at.serial] = {true, k == loop.before + 1, {}};
     }

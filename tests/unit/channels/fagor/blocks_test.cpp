@@ -193,6 +193,8 @@ TEST(FagorCompensation, AGrooveNarrowerThanTheNoseIsPassedOver) {
     }
     const Played shoulder = with_round_nose("G42 N10 G1 X28 Z10 F100\nZ0\nX24\nZ-2\nX31\nZ-20");
     EXPECT_EQ(points(shoulder), "60,40 30,10 30,0 33,0 33,-20 80,-20") << shoulder.events;
+    const Played flat = with_round_nose("G42 N10 G1 X30 Z10 F100\nZ0\nX29\nZ-10\nX30\nZ-20");
+    EXPECT_EQ(points(flat), "60,40 32,10 32,-2 31,-2 31,-8 32,-8 32,-20 80,-20") << flat.events;
 }
 
 }  // namespace
