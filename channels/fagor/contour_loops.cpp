@@ -145,6 +145,14 @@ bool in_line(const Element& a, const Element& b) {
     return std::fabs(cross(d, b.from - a.to)) < kClose && std::fabs(cross(d, b.to - a.to)) < kClose && dot(d, b.to - a.to) > 0;
 }
 
+// The point lies on line k, or on another of first to last that k continues: a step may be programmed in pieces.
+bool leads_through(const std::vector<Element>& all, std::size_t first, std::size_t last, std::size_t k, Point p) {
+    const Point d = direction(all[k], 0.0);
+    for (std::size_t m = first; m <= last; ++m)
+        if (!is_arc(all[m]) && distance_to(all[m], p) < kClose && dot(d, direction(all[m], 0.0)) > 1 - 1e-9) return true;
+    return false;
+}
+
 // Of the elements i to j two lines that meet, both long enough for the nose in the inner corner between them: the shoulder of a groove
 // whose other one is lower, with the surface that follows.
 std::optional<ContourLoop> inner_corner(const std::vector<Element>& all, std::size_t i, std::size_t j, const Nose& nose) {
@@ -154,7 +162,7 @@ std::optional<ContourLoop> inner_corner(const std::vector<Element>& all, std::si
             Element in = all[a], out = all[b];
             if (is_arc(in) || is_arc(out) || out.rapid) continue;
             const auto p = meeting(in, out);
-            if (!p || (a != i && distance_to(in, *p) > kClose) || (b != j && distance_to(out, *p) > kClose)) continue;
+            if (!p || (a != i && !leads_through(all, a, b, a, *p)) || (b != j && !leads_through(all, a, b, b, *p))) continue;
             in.to = out.from = *p;
             const double taken = taken_by_corner(in, out, nose);
             const double before = a > 0 ? taken_by_corner(all[a - 1], in, nose) : 0.0;

@@ -135,6 +135,14 @@ TEST(ContourLoops, ALowStepUpBehindAGrooveIsKept) {
     EXPECT_NEAR(up[0].meeting->x, 30.0, 1e-9);
 }
 
+TEST(ContourLoops, AStepMayBeProgrammedInPieces) {
+    const auto step = find_loops(lines({{10, 30}, {0, 30}, {0, 30.5}, {0, 31}, {-20, 31}}), {2, kRight}, 10);
+    ASSERT_EQ(step.size(), 1u);
+    EXPECT_EQ(step[0].before, 0u);
+    EXPECT_EQ(step[0].after, 2u);
+    EXPECT_FALSE(step[0].meeting);
+}
+
 // G00 suspends compensation (8.2.7): the way back is no part of the contour, and what it crosses is none of its loops. The nose stops
 // before it, which leaves nothing of a line shorter than the nose.
 TEST(ContourLoops, ARapidMoveEndsAContour) {
