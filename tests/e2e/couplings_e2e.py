@@ -67,7 +67,7 @@ class GearBox(Coupled):
     AXES = ("N1801 L1=3", "N1802 L1=5", "N1803 L1=2", "N1804 A1=15", "N1805 L1=1200", "N0817 S3=66", "N0607 S3=7")
 
     def test_the_workpiece_turns_by_the_hob_and_by_the_way_of_z(self):
-        text = "G18 G90 G94\nG0 Z5. X100.\nB400 M13\nG4 P1.\nG81.8 T20 L2 Q2. P30.\nG4 P2.\nG1 Z-15. F300.\nG4 P0.5\nG80.8\nM15\nM30\n"
+        text = "G18 G90 G94\nG0 Z5. X100.\nM13\nG4 P1.\nG81.8 T20 L2 Q2. P30.\nG4 P2.\nG1 Z-15. F300.\nG4 P0.5\nG80.8\nM15\nM30\n"
         done, trace = self.run_program("nct", text, *sets(*self.AXES))
         move = [e for e in done.of("move", ch=1, kind="linear")][0]
         hob = unwound(trace["S3.angle"])
@@ -80,7 +80,7 @@ class GearBox(Coupled):
 
     def test_a_reset_takes_it_out_of_the_work_first(self):
         self.write("s.toml", '[[at]]\nwhen = { ev = "move", ch = 1, kind = "linear" }\nafter = 1.0\npress = "reset"\n')
-        text = "G18 G90 G94\nG0 Z5. X100.\nB400 M13\nG4 P1.\nG81.8 T20 L1\nG1 Z-15. F100.\nG80.8\nM30\n"
+        text = "G18 G90 G94\nG0 Z5. X100.\nM13\nG4 P1.\nG81.8 T20 L1\nG1 Z-15. F100.\nG80.8\nM30\n"
         _, kept = self.run_program("nct", text, *sets(*self.AXES, "N1800 L1=0"), "--scenario", "s.toml")
         _, gone = self.run_program("nct", text, *sets(*self.AXES, "N1800 L1=1"), "--scenario", "s.toml")
         self.assertAlmostEqual(kept["A1.cmd"][-1], 50.0, places=3, msg="RCE 0: nothing is retracted, it stays closed")
@@ -102,7 +102,7 @@ class GearBox(Coupled):
         for lines, block in ((("N1802 L1=5", "N0817 S3=66"), "G81.8 T20"), (("N1801 L1=3", "N0817 S3=66"), "G81.8 T20"), (self.AXES, "G81.8 T0"), (self.AXES, "G81.8 T20 L0"),
                              (self.AXES, "G81.8 T20 P30."), (self.AXES[:2] + ("N0817 S3=66",), "G81.8 T20 Q2. P30.")):
             with self.subTest(block=block, lines=lines):
-                done, _ = self.run_program("nct", f"B400 M13\n{block}\nM30\n", *sets(*lines), status=1)
+                done, _ = self.run_program("nct", f"M13\n{block}\nM30\n", *sets(*lines), status=1)
                 self.assertIn("PT0688", [str(a["number"]) for a in done.alarms], done.said())
 
 
