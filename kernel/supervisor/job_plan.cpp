@@ -123,6 +123,7 @@ private:
         }
         const std::string path = in_memory("like.params", like->parameter_lines);
         plan_.source.param_files.insert(plan_.source.param_files.begin(), path);
+        if (options_.machine.empty() && !like->machine.empty()) plan_.source.machine = like->machine;   // PLC, room and messages too are those that would be driven with
         like_ = std::move(like->setup);
         like_tools_ = std::move(like->tools);
         if (work_ == JobWork::Check)

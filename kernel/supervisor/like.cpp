@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
+#include "ipc/image/segments.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 
@@ -109,6 +111,18 @@ std::map<int, text::ToolSetup> tools_of_channel(const params::Table& table, unsi
     return out;
 }
 
+// As --machine names it: the supervisor tells where the tables and the room lie, without the ending (RunOptions::machine_folder).
+std::string machine_of(const std::string& instance) {
+    const auto supervisor = PeerSegment<SupervisorSegment>::attach(instance);
+    if (!supervisor) return {};
+    const auto& told = (*supervisor)->options.machine_folder;
+    const std::filesystem::path base(std::string(told.data(), ::strnlen(told.data(), told.size())));
+    std::error_code none;
+    const std::filesystem::path file = base.string() + ".params";
+    if (base.empty() || !std::filesystem::is_regular_file(file, none)) return {};
+    return base.filename() == "machine" ? base.parent_path().string() : file.string();
+}
+
 }  // namespace
 
 Result<LikeValues> values_of_controller(const std::string& instance) {
@@ -119,6 +133,7 @@ Result<LikeValues> values_of_controller(const std::string& instance) {
     auto channel = std::make_unique<ChannelStore>();
     if (!(*store)->parameters.read(*table)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
     LikeValues out;
+    out.machine = machine_of(instance);
     out.parameter_lines = params::export_lines(*table, params::Content::All);
     const MachineConfig machine = derive_machine_config(*table);
     for (unsigned number = 1; number <= kMaxChannels; ++number)

@@ -47,6 +47,27 @@ class Like(LiveCase):
             self.assertNotIn("CUT", done.err)
             self.assertIn("GROOVE", done.err)
 
+    def start_on(self, machine):
+        log = open(self.folder / "start.log", "ab")
+        self.addCleanup(log.close)
+        self.running = subprocess.Popen([os.environ.get("POLYTURN", SOURCE / "build/test/bin/polyturn"), "start", machine, "--instance", self.name, "--store", self.folder / "store", "--no-hmi", "--set", "PT_LATE_MAX=1000"], cwd=self.folder,
+                                        stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        self.wait_for(lambda: self.polyturn("status", "--instance", self.name).status == 0, 20, "the controller to start")
+
+    def test_the_machines_folder_is_that_of_the_controller(self):
+        machine = self.folder / "ours"
+        shutil.copytree(MACHINE, machine)
+        self.start_on(machine)
+        share = self.folder / "share/examples/machines/twin-turret"   # an example that is broken, and one that is not there
+        share.mkdir(parents=True)
+        (share / "machine.params").write_text("N0001=nonsense\n")
+        program = self.write("part.nc", "G54\nG0 X50. Z5.\nM30\n")
+        for folder in (self.folder / "share", self.folder / "nothing"):
+            os.environ["POLYTURN_SHARE"] = str(folder)
+            self.addCleanup(os.environ.pop, "POLYTURN_SHARE", None)
+            for done in (self.check(program), self.run_virtual(program)):
+                self.assertEqual(done.status, 0, done.said())
+
 
 if __name__ == "__main__":
     unittest.main()
