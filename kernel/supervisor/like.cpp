@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "ipc/machine/counters.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/memory/segment.hpp"
@@ -134,6 +135,9 @@ Result<LikeValues> values_of_controller(const std::string& instance) {
     if (!(*store)->parameters.read(*table)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
     LikeValues out;
     out.machine = machine_of(instance);
+    // What is made from now on is no part of the controller's.
+    for (unsigned number = 1; number <= kMaxChannels; ++number)
+        for (const Counter counter : {Counter::TotalParts, Counter::MachinedParts}) table->numbers[static_cast<std::size_t>(counter_slot(counter_number(counter, number)))] = 0.0;
     out.parameter_lines = params::export_lines(*table, params::Content::All);
     const MachineConfig machine = derive_machine_config(*table);
     for (unsigned number = 1; number <= kMaxChannels; ++number)

@@ -10,7 +10,7 @@ namespace polyturn::supervisor {
 
 struct LikeValues {
     std::string machine;          // its folder, or its parameter file; empty: not to be found any more
-    std::string parameter_lines;  // all of them, to be read on top of the machine
+    std::string parameter_lines;  // all of them, but no parts made yet, to be read on top of the machine
     text::Setup setup;            // wins over the job's files; a setup named on the command line wins over it
     // With tool management, as a channel's setup names tools: those of its turret by their stations, the others behind them. A run has them
     // in its store (polyturn-toolmgmt --like), a check in its setup.

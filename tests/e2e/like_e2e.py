@@ -68,6 +68,14 @@ class Like(LiveCase):
             for done in (self.check(program), self.run_virtual(program)):
                 self.assertEqual(done.status, 0, done.said())
 
+    def test_a_virtual_run_counts_its_own_parts(self):
+        self.start("PT_LANGUAGE L1=fanuc", "N2308 L1=3", "N2307 L1=4")
+        program = self.write("part.nc", "G0 X50. Z5.\nM30\n")
+        done = self.run_virtual(program)
+        self.assertEqual(done.status, 0, done.said())
+        self.assertTrue(done.of("part"), done.said())
+        self.assertEqual([e["number"] for e in done.of("alarm")], [], done.said())
+
 
 if __name__ == "__main__":
     unittest.main()
