@@ -85,10 +85,17 @@ private:
         plan_.job = text::parse_job(*content, path, failure_.diagnoses);
         for (const auto& [channel, program] : plan_.job->programs) {
             if (plan_.programs.count(channel)) fault(Alarm::ProgramArgument, fmt::format("channel {} has a program from the job and one of its own", channel));
-            plan_.programs[channel].file = program.file;
+            plan_.programs[channel].file = read_instead(program.file);
             plan_.programs[channel].language = program.language;
             plan_.programs[channel].language_chosen = !program.language.empty();
         }
+    }
+
+    std::string read_instead(const std::string& file) const {
+        std::error_code none;
+        for (const std::string& one : options_.instead)
+            if (const auto at = one.rfind('='); at != std::string::npos && std::filesystem::equivalent(one.substr(0, at), file, none)) return one.substr(at + 1);
+        return file;
     }
 
     bool load_machine_table() {
