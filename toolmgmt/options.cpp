@@ -19,6 +19,7 @@ Options read_options(int argc, char** argv) {
     app.add_option("--param-file", options.machine.param_files, "file of parameter lines, on top of the machine's")->allow_extra_args(false);
     app.add_option("--set", options.machine.sets, "one parameter line, on top of all files")->allow_extra_args(false);
     app.add_option("--setup", options.setup, "what an operator would have entered: offsets, zeros, variables (TOML)");
+    app.add_option("--like", options.like, "the running controller whose tools this one begins with");
     app.add_option("--restore", options.restore, "puts this backup (or newest: of the folder's own) in place of the store and ends");
     try {
         app.parse(argc, argv);

@@ -13,6 +13,7 @@ struct Options {
     bool memory = false;         // nothing is kept
     MachineSource machine;
     std::string setup;           // file; empty: none
+    std::string like;            // a running controller whose tools this one begins with; empty: none
     std::string restore;         // a backup, or "newest": put in place of the store, then the program ends
     std::string machine_folder;  // of the machine; empty when a single file was given
     int exit_status = -1;        // 0 or 2: help was printed or the usage was wrong

@@ -2,12 +2,16 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <memory>
 
+#include "ipc/image/segments.hpp"
 #include "ipc/machine/apply_setup.hpp"
 #include "ipc/machine/config_check.hpp"
 #include "ipc/machine/counters.hpp"
 #include "ipc/machine/machine_config.hpp"
+#include "ipc/machine/tool_fields.hpp"
+#include "ipc/memory/segment.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup.hpp"
 
@@ -56,6 +60,49 @@ Result<void> enter_setup(const std::string& path, Database* disk, StoreValues& v
     return {};
 }
 
+// The tools of a running controller, their edges and the state of its places, in place of one's own.
+Result<void> take_tools(const std::string& instance, Database* disk, StoreValues& values) {
+    const auto peer = PeerSegment<StoreSegment>::attach(instance);
+    if (!peer) return peer.diagnosis();
+    const auto tools = std::make_unique<ToolTable>();
+    const auto edges = std::make_unique<ToolEdgeTable>();
+    const auto places = std::make_unique<ToolPlaceTable>();
+    if (!(*peer)->tools.read(*tools) || !(*peer)->edges.read(*edges) || !(*peer)->places.read(*places)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
+    std::vector<Change> changes;
+    const auto put = [&](const Key& key, double number, const std::string& text = {}, bool is_text = false) {
+        Change change;
+        if (change_to(values, key, number, text, is_text, change) && write_value(values, key, number, text, is_text)) changes.push_back(std::move(change));
+    };
+    const auto own_edges = std::make_unique<ToolEdgeTable>(values.edges);
+    for (std::size_t i = 0; i < own_edges->count; ++i)
+        for (int dp = 0; dp < 36; ++dp) put({Kind::Edge, own_edges->edges[i].tool, own_edges->edges[i].number, dp, {}}, 0.0);
+    for (std::size_t i = 0; i < kTools; ++i) {
+        const ToolRow& row = tools->rows[i];
+        const auto number = static_cast<std::int32_t>(i + 1);
+        put({Kind::Tool, 0, number, 0, "exists"}, row.used ? 1.0 : 0.0);
+        if (!row.used) continue;
+        for (const ToolField& field : tool_fields()) {
+            const Key key{Kind::Tool, 0, number, 0, std::string(field.name)};
+            if (field.is_text()) put(key, std::numeric_limits<double>::quiet_NaN(), tool_text(row, field), true);
+            else put(key, tool_number(row, field));
+        }
+    }
+    for (std::size_t i = 0; i < edges->count; ++i)
+        for (int dp = 0; dp < 36; ++dp) put({Kind::Edge, edges->edges[i].tool, edges->edges[i].number, dp, {}}, edges->edges[i].dp[static_cast<std::size_t>(dp)]);
+    const auto or_none = [](double value) { return value == 0.0 ? std::numeric_limits<double>::quiet_NaN() : value; };
+    for (std::size_t i = 0; i < places->count; ++i) {
+        const ToolPlace& place = places->places[i];
+        put({Kind::Place, place.magazine, place.pot, 0, "locked"}, or_none((place.state & kPlaceLocked) ? 1.0 : 0.0));
+        put({Kind::Place, place.magazine, place.pot, 0, "place_type"}, or_none(place.place_type));
+    }
+    for (std::size_t l = 0; l < kMaxChannels; ++l) {
+        put({Kind::Work, static_cast<std::int32_t>(l + 1), 0, 0, "tool"}, tools->in_channel[l]);
+        put({Kind::Work, static_cast<std::int32_t>(l + 1), 0, 0, "next tool"}, tools->next[l]);
+    }
+    if (disk && !changes.empty()) return disk->commit(changes, "setup");
+    return {};
+}
+
 }  // namespace
 
 Result<void> load_start_values(const Options& options, Database* disk, StoreValues& values, std::vector<Diagnosis>& diagnoses) {
@@ -71,7 +118,10 @@ Result<void> load_start_values(const Options& options, Database* disk, StoreValu
     apply_overrides(options.machine, values.parameters, diagnoses);
     if (any_error(diagnoses)) return {};
     append(diagnoses, check_machine_config(values.parameters));
-    if (any_error(diagnoses) || options.setup.empty()) return {};
+    if (any_error(diagnoses)) return {};
+    if (!options.like.empty())
+        if (Result<void> done = take_tools(options.like, disk, values); !done) return done;
+    if (options.setup.empty()) return {};
     return enter_setup(options.setup, disk, values, diagnoses);
 }
 

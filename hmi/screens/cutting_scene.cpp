@@ -7,13 +7,26 @@ namespace polyturn::hmi {
 namespace {
 constexpr std::size_t kMostPoints = 20'000;
 constexpr double kLeastWay = 0.02;     // mm
+constexpr double kOnAxis = 0.5;        // mm: so near a drill's point runs
+// A path along the axis does not tell the drill's diameter: a third of the bar's is drawn, 20 mm at most.
+constexpr double kDrillShare = 1.0 / 3.0, kLargestDrill = 10.0;
 }  // namespace
 
 void TurnedStock::begin(double diameter, double bore, double length, double face) {
     outer_ = diameter / 2, bore_ = bore / 2;
     left_ = -length;
     const auto count = static_cast<std::size_t>(std::clamp((length + face) / kStep, 0.0, 50'000.0));
-    radius_.assign(count, outer_);
+    radius_.assign(count, outer_), inner_.assign(count, bore_);
+}
+
+// Along the axis into the part; in front of its zero there is only what is faced away.
+bool TurnedStock::drills(double z0, double x0, double z1, double x1) const { return std::abs(x0) < kOnAxis && std::abs(x1 - x0) < 1e-3 && z1 - z0 > 1e-9; }
+
+// There is a hole, and its wall is nearer than the outside. What the hole in front of the tip has counts: from there it has come.
+bool TurnedStock::bores(long i, double x) const {
+    const auto here = static_cast<std::size_t>(i), front = std::min(here + 1, radius_.size() - 1);
+    const double hole = std::max(inner_[here], inner_[front]), outside = radius_[here];
+    return hole > 0 && x < outside && x - hole < outside - x;
 }
 
 void TurnedStock::cut(double z0, double x0, double z1, double x1) {
@@ -22,14 +35,36 @@ void TurnedStock::cut(double z0, double x0, double z1, double x1) {
     const double first = (z0 - left_) / kStep, last = (z1 - left_) / kStep;
     const auto from = static_cast<long>(std::floor(std::max(first, 0.0)));
     const auto to = std::min(static_cast<long>(std::floor(last)), static_cast<long>(radius_.size()) - 1);
-    for (long i = from; i <= to; ++i) {
+    const bool across = z1 - z0 < 1e-9;
+    if (drills(z0, x0, z1, x1)) {
+        const double hole = std::min(outer_ * kDrillShare, kLargestDrill);
+        for (long i = from; i <= to; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (left_ + static_cast<double>(i) * kStep >= -1e-9) radius_[at] = bore_;
+            else inner_[at] = std::max(inner_[at], hole);
+        }
+        return;
+    }
+    // From the face inwards, so that a hole grows from its mouth.
+    if (across && first >= 0 && from <= to && bores(from, std::max(std::abs(x0), std::abs(x1)))) {
+        auto& hole = inner_[static_cast<std::size_t>(from)];
+        hole = std::max({hole, std::abs(x0), std::abs(x1)});
+        return;
+    }
+    const double mouth = from >= 0 && from < static_cast<long>(inner_.size()) ? inner_[static_cast<std::size_t>(from)] : 0.0;
+    for (long i = to; i >= from; --i) {
         const double part = z1 - z0 < 1e-9 ? 0.0 : std::clamp((left_ + static_cast<double>(i) * kStep - z0) / (z1 - z0), 0.0, 1.0);
         const double x = z1 - z0 < 1e-9 ? std::min(std::abs(x0), std::abs(x1)) : std::abs(x0 + (x1 - x0) * part);
+        if (!across && bores(i, x)) {
+            auto& hole = inner_[static_cast<std::size_t>(i)];
+            hole = std::max(hole, x);
+            continue;
+        }
         auto& radius = radius_[static_cast<std::size_t>(i)];
         radius = std::max(std::min(radius, x), bore_);
     }
-    // A facing cut takes what stands in front of it.
-    if (first >= 0 && z1 - z0 < 1e-9 && std::min(std::abs(x0), std::abs(x1)) < 1.0)
+    // A facing cut, to the axis or into the hole, takes what stands in front of it.
+    if (first >= 0 && across && std::min(std::abs(x0), std::abs(x1)) < std::max(1.0, mouth))
         for (long i = std::max(0L, from); i < static_cast<long>(radius_.size()); ++i) radius_[static_cast<std::size_t>(i)] = bore_;
 }
 
@@ -41,6 +76,23 @@ void TurnedStock::cutTo(const std::vector<double>& radii) {
 double TurnedStock::radiusAt(double z) const {
     const double at = (z - left_) / kStep;
     return at < 0 || at >= static_cast<double>(radius_.size()) ? 0.0 : radius_[static_cast<std::size_t>(at)];
+}
+
+double arcTurn(double difference, bool clockwise, bool whole) {
+    constexpr double kRounded = 1e-4;      // a short arc whose ends are rounded is no long one
+    if (whole) return clockwise ? -2 * M_PI : 2 * M_PI;
+    const double turn = std::remainder(difference, 2 * M_PI);
+    if (clockwise && turn > kRounded) return turn - 2 * M_PI;
+    return !clockwise && turn < -kRounded ? turn + 2 * M_PI : turn;
+}
+
+double TurnedStock::boreAt(double z) const {
+    const double at = (z - left_) / kStep;
+    return at < 0 || at >= static_cast<double>(inner_.size()) ? 0.0 : std::min(inner_[static_cast<std::size_t>(at)], radius_[static_cast<std::size_t>(at)]);
+}
+
+bool TurnedStock::hollow() const {
+    return std::any_of(inner_.begin(), inner_.end(), [](double radius) { return radius > 0; });
 }
 
 void CuttingScene::clear() {

@@ -11,7 +11,7 @@
 
 namespace polyturn::hmi {
 
-// What is left of a turned blank: its radius along Z, from the workpiece zero. Pure.
+// What is left of a turned blank: its outer and its inner radius along Z, from the workpiece zero. Pure.
 class TurnedStock {
 public:
     void begin(double diameter, double bore, double length, double face);
@@ -21,6 +21,8 @@ public:
     // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius.
     void cut(double z0, double x0, double z1, double x1);
     double radiusAt(double z) const;
+    double boreAt(double z) const;         // the radius of the hole there; 0: none
+    bool hollow() const;
     double left() const { return left_; }
     double right() const { return left_ + static_cast<double>(radius_.size()) * kStep; }
     double outer() const { return outer_; }
@@ -28,9 +30,16 @@ public:
     static constexpr double kStep = 0.1;   // mm
 
 private:
-    std::vector<double> radius_;
+    // Cuts the side of a hole rather than the outside: a drill, a boring bar. `i`: where it works.
+    bool drills(double z0, double x0, double z1, double x1) const;
+    bool bores(long i, double x) const;
+
+    std::vector<double> radius_, inner_;
     double left_ = 0, outer_ = 0, bore_ = 0;
 };
+
+// How far an arc turns, from Z towards X, whose ends' directions from its centre differ so; `whole`: its end is its beginning.
+double arcTurn(double difference, bool clockwise, bool whole);
 
 struct TrailPoint {
     double z, x;                       // in the room

@@ -9,17 +9,29 @@
 #include <QRegularExpression>
 #include <QScroller>
 #include <QTextBlock>
+#include <algorithm>
 
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/finger_bars.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr int kPauseMs = 500;                      // no letter for so long: it is checked
+
+// The first job beside the program that has it.
+QString jobOf(const QString& program) {
+    const QDir dir = QFileInfo(program).absoluteDir();
+    for (const QString& name : dir.entryList({"*.job.toml"}, QDir::Files, QDir::Name))
+        if (const auto job = text::load_job(dir.filePath(name).toStdString()))
+            for (const auto& [channel, one] : job->programs)
+                if (QFileInfo(QString::fromStdString(one.file)).absoluteFilePath() == program) return dir.filePath(name);
+    return {};
+}
 
 }  // namespace
 
@@ -109,15 +121,15 @@ void EditorPage::check() {
     const QFileInfo info(file_);                   // the path alone: nothing asks the disk
     const QString name = QString("/.check-%1-%2").arg(QCoreApplication::applicationPid()).arg(info.fileName());
     const QStringList places{info.absolutePath() + name, QDir::tempPath() + name};
-    copying_.start([places, bytes = bytes()](const std::atomic<bool>& stop) {
+    copying_.start([places, bytes = bytes(), program = info.absoluteFilePath()](const std::atomic<bool>& stop) {
         for (const QString& place : places) {
             QFile copy(place);
             const bool written = copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size();
             copy.close();
-            if (written && !stop) return place;
+            if (written && !stop) return Checked{place, jobOf(program)};
             QFile::remove(place);
         }
-        return QString();
+        return Checked();
     });
     if (const auto copy = copying_.take()) startCheck(*copy);
     line_->refresh();
@@ -127,8 +139,8 @@ void EditorPage::drop(const QString& copy) {
     if (!copy.isEmpty()) dropping_.start([copy](const std::atomic<bool>&) { return QFile::remove(copy); }, 0);
 }
 
-void EditorPage::startCheck(const QString& copy) {
-    temporary_ = copy;
+void EditorPage::startCheck(const Checked& what) {
+    temporary_ = what.copy;
     if (temporary_.isEmpty()) return void(failure_ = word("The program cannot be checked here."));
     out_.clear();
     process_ = std::make_unique<QProcess>();
@@ -138,11 +150,29 @@ void EditorPage::startCheck(const QString& copy) {
     QObject::connect(process_.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) failure_ = word("The program polyturn is not beside the HMI."), finish();
     });
-    QStringList arguments{"check", "--quiet", QString("%1=%2").arg(desk_.channel).arg(temporary_)};
-    if (!language_.isEmpty()) arguments << "--language" << QString("%1=%2").arg(desk_.channel).arg(language_);
+    QStringList arguments{"check", "--quiet"};
+    if (what.job.isEmpty()) {
+        const unsigned channel = channelOfFile();
+        arguments << QString("%1=%2").arg(channel).arg(temporary_);
+        if (!language_.isEmpty()) arguments << "--language" << QString("%1=%2").arg(channel).arg(language_);
+    } else {   // waits and spindles of the other channels count
+        arguments << what.job << "--instead" << file_ + "=" + temporary_;
+    }
     if (desk_.live.connected()) arguments << "--like" << QString::fromStdString(desk_.live.instance());
     process_->start(QCoreApplication::applicationDirPath() + "/polyturn", arguments);
     line_->refresh();
+}
+
+// Of a program that no job beside it has: in which it is selected, else that of the keys.
+unsigned EditorPage::channelOfFile() const {
+    const auto selected = [&](unsigned channel) {
+        const auto& programs = desk_.live.view(channel).programs;
+        return !programs.empty() && QFileInfo(QString::fromStdString(programs[0])).absoluteFilePath() == QFileInfo(file_).absoluteFilePath();
+    };
+    if (!desk_.live.connected() || selected(desk_.channel)) return desk_.channel;
+    for (const unsigned channel : desk_.live.channels())
+        if (selected(channel)) return channel;
+    return desk_.channel;
 }
 
 void EditorPage::finish() {
@@ -161,6 +191,7 @@ void EditorPage::finish() {
         if (!own && event.contains("file")) fault.text = QString("%1:%2  ").arg(QFileInfo(event.value("file").toString()).fileName()).arg(event.value("line").toInt()) + fault.text;
         faults_.push_back(fault);
     }
+    std::stable_partition(faults_.begin(), faults_.end(), [](const Fault& one) { return one.line > 0; });   // other programs of the job come behind
     mark();
     if (desk_.keysChanged) desk_.keysChanged();
 }

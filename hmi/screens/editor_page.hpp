@@ -81,8 +81,13 @@ private:
     QByteArray bytes() const;                      // the text as the file has it
     void keepDraft(const QByteArray& bytes);
     void saved(const Saved& done);
-    void startCheck(const QString& copy);
+    // What is checked: a copy of the text, in the place of its file in the job that has it.
+    struct Checked {
+        QString copy, job;
+    };
+    void startCheck(const Checked& what);
     void drop(const QString& copy);                // removes it, aside
+    unsigned channelOfFile() const;
     void finish();
     void mark();
     void goToFault(int step);
@@ -117,7 +122,7 @@ private:
     bool dos_ = false;
     Aside<bool> keeping_;                          // the draft
     bool kept_ = false;                            // one is on the disk
-    Aside<QString> copying_;                       // for the check
+    Aside<Checked> copying_;                       // for the check
     Aside<bool> dropping_;
     std::shared_ptr<FileProgress> progress_ = std::make_shared<FileProgress>();
     int savedRevision_ = 0;

@@ -17,6 +17,7 @@ namespace {
 constexpr qint64 kStockEveryMs = 250;   // the part as it is cut; paths and tips move with each frame
 constexpr double kFurthest = 400;       // mm from the workpiece zero: beyond it no path is of interest
 constexpr int kArcParts = 24;
+constexpr double kOnePoint = 1e-5;     // mm: what is nearer is the same point
 constexpr qint64 kKeepEveryMs = 2'000;
 constexpr double kSlowest = 1, kFastest = 64;
 
@@ -253,7 +254,7 @@ void Graphics::playTo(double seconds) {
             const double part = partOf(move), x0 = from.x * share, x1 = move.x * share;
             if (part > at.part && move.arc) {
                 const double radius = std::hypot(x0 - move.centreX, from.z - move.centreZ), begins = std::atan2(x0 - move.centreX, from.z - move.centreZ);
-                const double turn = std::remainder(std::atan2(x1 - move.centreX, move.z - move.centreZ) - begins, 2 * M_PI);   // the shorter way: turned contours have no longer ones
+                const double turn = arcTurn(std::atan2(x1 - move.centreX, move.z - move.centreZ) - begins, move.clockwise, std::hypot(x1 - x0, move.z - from.z) < kOnePoint);
                 const int first = static_cast<int>(at.part * kArcParts) + 1, last = static_cast<int>(part * kArcParts);
                 for (int i = first; i <= last; ++i) {
                     const double angle = begins + turn * i / kArcParts;

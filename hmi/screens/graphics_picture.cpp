@@ -337,6 +337,15 @@ void Graphics::drawPart(QPainter& p) {
     p.setBrush(steel);
     p.setPen(QPen(t.edge, 1));
     p.drawPath(part);
+    if (!stock.hollow()) return;
+    // Cut open: the hole in the colour behind the part.
+    QPainterPath hole(at(left, 0));
+    for (double z = left; z < stock.right(); z += 2 * TurnedStock::kStep) hole.lineTo(at(z, stock.boreAt(z)));
+    hole.lineTo(at(stock.right(), 0));
+    for (double z = stock.right() - TurnedStock::kStep; z > left; z -= 2 * TurnedStock::kStep) hole.lineTo(at(z, -stock.boreAt(z)));
+    hole.closeSubpath();
+    p.setBrush(t.window);
+    p.drawPath(hole);
 }
 
 // How far the tips may go, in the colour of their channel: a frame of dashes with its name, and hatched what a tip must stay out of. The

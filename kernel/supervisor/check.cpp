@@ -314,7 +314,7 @@ private:
 
 int check_programs(const JobOptions& options) {
     PlanFailure failure;
-    auto plan = plan_job(options, failure);
+    auto plan = plan_job(options, JobWork::Check, failure);
     std::set<unsigned> not_waited_for;
     if (plan && !options.scenario.empty()) {
         const auto scenario = text::load_scenario(options.scenario);

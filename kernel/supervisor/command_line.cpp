@@ -30,6 +30,7 @@ void add_job_options(CLI::App& app, JobOptions& job) {
     app.add_option("--setup", job.setup, tell("what an operator would have entered: positions, zeros, offsets, variables, keys (TOML)"));
     app.add_option("--instance", job.instance, tell("name of the private controller"));
     app.add_option("--like", job.like, tell("copies offsets, tools, zeros and parameters of this running controller"));
+    app.add_option("--instead", job.instead)->allow_extra_args(false)->group("");   // for the editor, whose text is not saved yet
     app.add_option("--store", job.store, tell("keeps what the programs write in this folder"));
     app.add_flag("--variables", job.variables, tell("also report every variable that a program writes"));
     app.add_flag("--quiet", job.quiet, tell("only alarms, messages and the summary"));

@@ -35,7 +35,7 @@ std::pair<unsigned, std::string> program_of_channel(const std::string& words) {
 
 class Planner {
 public:
-    Planner(const JobOptions& options, PlanFailure& failure) : options_(options), failure_(failure) {}
+    Planner(const JobOptions& options, JobWork work, PlanFailure& failure) : options_(options), work_(work), failure_(failure) {}
 
     std::optional<JobPlan> plan() {
         programs();
@@ -85,10 +85,17 @@ private:
         plan_.job = text::parse_job(*content, path, failure_.diagnoses);
         for (const auto& [channel, program] : plan_.job->programs) {
             if (plan_.programs.count(channel)) fault(Alarm::ProgramArgument, fmt::format("channel {} has a program from the job and one of its own", channel));
-            plan_.programs[channel].file = program.file;
+            plan_.programs[channel].file = read_instead(program.file);
             plan_.programs[channel].language = program.language;
             plan_.programs[channel].language_chosen = !program.language.empty();
         }
+    }
+
+    std::string read_instead(const std::string& file) const {
+        std::error_code none;
+        for (const std::string& one : options_.instead)
+            if (const auto at = one.rfind('='); at != std::string::npos && std::filesystem::equivalent(one.substr(0, at), file, none)) return one.substr(at + 1);
+        return file;
     }
 
     bool load_machine_table() {
@@ -123,7 +130,11 @@ private:
         }
         const std::string path = in_memory("like.params", like->parameter_lines);
         plan_.source.param_files.insert(plan_.source.param_files.begin(), path);
+        if (options_.machine.empty() && !like->machine.empty()) plan_.source.machine = like->machine;   // PLC, room and messages too are those that would be driven with
         like_ = std::move(like->setup);
+        like_tools_ = std::move(like->tools);
+        if (work_ == JobWork::Check)
+            for (const auto& [channel, tools] : like_tools_) like_.channels[channel].tools = tools;
         return true;
     }
 
@@ -183,6 +194,7 @@ private:
             for (const auto& [number, copied] : like_.channels) {
                 text::ChannelSetup& own = plan_.setup.channels[number];
                 own.work.clear(), own.offsets.clear();
+                if (like_tools_.count(number)) own.tools.clear();
                 for (const auto& variable : copied.variables) std::erase_if(own.variables, [&](const auto& one) { return one.name == variable.name; });
             }
         if (job_zeros)
@@ -195,18 +207,19 @@ private:
         plan_.setup_path = in_memory("setup.toml", text::setup_text(plan_.setup));
     }
 
-    // What the job needs against what is mounted (the setup's tools). Warnings: the operator may know better.
+    // What the job needs against what is mounted (the tools of the setup, or those of the controller that --like names). Warnings: the operator may know better.
     void compare_tools() {
         if (!plan_.job) return;
         std::set<unsigned> unknown;
         for (const text::JobTool& wanted : plan_.job->tools) {
-            const auto channel = plan_.setup.channels.find(wanted.channel);
-            if (channel == plan_.setup.channels.end() || channel->second.tools.empty()) {
+            const auto live = like_tools_.find(wanted.channel);
+            const auto& tools = live != like_tools_.end() && options_.setup.empty() ? live->second : plan_.setup.channel(wanted.channel).tools;
+            if (tools.empty()) {
                 unknown.insert(wanted.channel);
                 continue;
             }
-            const auto mounted = channel->second.tools.find(wanted.station);
-            const std::string there = mounted == channel->second.tools.end() ? std::string() : mounted->second.name;
+            const auto mounted = tools.find(wanted.station);
+            const std::string there = mounted == tools.end() ? std::string() : mounted->second.name;
             if (there == wanted.name) continue;
             tell_tool(Alarm::JobTool, fmt::format("L{} T{}: \"{}\"{}", wanted.channel, wanted.station, wanted.name, there.empty() ? std::string() : fmt::format(" / \"{}\"", there)));
         }
@@ -233,9 +246,11 @@ private:
     }
 
     const JobOptions& options_;
+    JobWork work_;
     PlanFailure& failure_;
     JobPlan plan_;
     text::Setup like_;
+    std::map<unsigned, std::map<int, text::ToolSetup>> like_tools_;
 };
 
 }  // namespace
@@ -283,7 +298,7 @@ std::vector<std::string> JobPlan::machine_arguments() const {
     return out;
 }
 
-std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure) { return Planner(options, failure).plan(); }
+std::optional<JobPlan> plan_job(const JobOptions& options, JobWork work, PlanFailure& failure) { return Planner(options, work, failure).plan(); }
 
 std::string language_of(const params::Table& table, unsigned channel) { return std::string(params::get_text(table, params::pt_language, channel)); }
 

@@ -57,7 +57,9 @@ struct PlanFailure {
     int exit_status = 2;  // 1: a contradiction in the configuration; 2: unreadable input
 };
 
-std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure);
+// How the programs are worked on: a check has no store, so that what it knows of tools comes by the setup.
+enum class JobWork : unsigned char { Check, Run };
+std::optional<JobPlan> plan_job(const JobOptions& options, JobWork work, PlanFailure& failure);
 
 // Renders for people on stderr, with the line it speaks of where the file can be read, and as an alarm event.
 void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect);

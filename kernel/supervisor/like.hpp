@@ -1,5 +1,6 @@
-// `--like NAME`: a private run begins with what a running controller has now: parameters, offsets, zeros, kept variables.
+// `--like NAME`: a private run begins with what a running controller has now: parameters, offsets, zeros, kept variables, tools.
 #pragma once
+#include <map>
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -8,8 +9,12 @@
 namespace polyturn::supervisor {
 
 struct LikeValues {
-    std::string parameter_lines;  // all of them, to be read on top of the machine
+    std::string machine;          // its folder, or its parameter file; empty: not to be found any more
+    std::string parameter_lines;  // all of them, but no parts made yet, to be read on top of the machine
     text::Setup setup;            // wins over the job's files; a setup named on the command line wins over it
+    // With tool management, as a channel's setup names tools: those of its turret by their stations, the others behind them. A run has them
+    // in its store (polyturn-toolmgmt --like), a check in its setup.
+    std::map<unsigned, std::map<int, text::ToolSetup>> tools;
 };
 Result<LikeValues> values_of_controller(const std::string& instance);
 

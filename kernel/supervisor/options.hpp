@@ -11,6 +11,7 @@ struct JobOptions {
     std::vector<std::string> languages;  // "NAME" or "L=NAME"
     std::string machine, setup, instance, like, store;
     std::vector<std::string> sets, param_files;
+    std::vector<std::string> instead;    // "FILE=COPY": of a job's program, the text that is read in its place
     bool variables = false, quiet = false;
     // run only
     bool virtual_time = false, report = false;

@@ -94,7 +94,7 @@ int refuse(const std::vector<Diagnosis>& diagnoses, int exit_status) {
 
 int run_programs(const JobOptions& options) {
     PlanFailure failure;
-    auto plan = plan_job(options, failure);
+    auto plan = plan_job(options, JobWork::Run, failure);
     if (!plan) return refuse(failure.diagnoses, failure.exit_status);
     RunWishes wishes;
     std::vector<Diagnosis> diagnoses;

@@ -57,6 +57,7 @@ Result<void> RunSession::start() {
         plan.store_arguments = {"--memory"};
     else
         plan.store_arguments = {"--store", options_.store};
+    if (!options_.like.empty()) plan.store_arguments.insert(plan.store_arguments.end(), {"--like", options_.like});
     if (!plan_.setup_path.empty()) plan.channel_arguments = {"--setup", plan_.setup_path};
     if (options_.variables) plan.channel_arguments.push_back("--variables");
     for (const auto& [channel, program] : plan_.programs) plan.channels.push_back(channel);

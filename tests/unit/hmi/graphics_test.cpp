@@ -28,6 +28,38 @@ TEST(CuttingScene, TakesAwayWhatTheTipHasPassed) {
     EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-30), 20);
 }
 
+// A drill along the axis and a boring bar behind it leave the outside as it is.
+TEST(CuttingScene, DrillsAndBoresAHole) {
+    TurnedStock stock;
+    stock.begin(60, 0, 100, 2);
+    stock.cut(0, 31, 0, -0.5);             // faced
+    EXPECT_DOUBLE_EQ(stock.radiusAt(1), 0);
+    stock.cut(5, 0, -30, 0);
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-10), 30);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-10), 10);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-40), 0);
+    stock.cut(2, 14, -20, 14);             // bored, then its ground faced
+    stock.cut(-20, 14, -20, 5);
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-10), 30);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-10), 14);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-25), 10);
+    stock.cut(2, 25, -15, 25);             // the outside is turned as before
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-10), 25);
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-18), 30);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-10), 14);
+    stock.cut(-5, 26, -5, 12);             // faced into the hole
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-2), 0);
+    EXPECT_DOUBLE_EQ(stock.radiusAt(-10), 25);
+}
+
+TEST(CuttingScene, AnArcGoesTheWayItIsProgrammed) {
+    EXPECT_DOUBLE_EQ(arcTurn(M_PI / 2, false, false), M_PI / 2);
+    EXPECT_DOUBLE_EQ(arcTurn(M_PI / 2, true, false), -1.5 * M_PI);
+    EXPECT_DOUBLE_EQ(arcTurn(-M_PI / 2, false, false), 1.5 * M_PI);
+    EXPECT_DOUBLE_EQ(arcTurn(0, true, true), -2 * M_PI);
+    EXPECT_NEAR(arcTurn(-1e-9, false, false), 0, 1e-6);   // a short one whose end is rounded
+}
+
 // The job of a running program is looked for aside: what is cut meanwhile is cut when its blank is known.
 TEST(CuttingScene, CutsWhatWasDrivenBeforeTheBlankWasKnown) {
     CuttingScene scene;

@@ -162,6 +162,29 @@ TEST_F(JobLanguage, CheckFromTheEditorIsOfWhatHasBeenTyped) {
     EXPECT_FALSE(editor.isVisible());
 }
 
+// What a program alone is faulted for, the other programs of its job do: a spindle that runs, a wait that is met.
+TEST_F(JobLanguage, TheEditorChecksItsTextWithinTheJob) {
+    write("ONE.nc", "O1\nN10 G97 S500 M3\nN20 M500\nN30 M30\n");
+    write("TWO.nc", "O2\nN10 M500\nN20 G0 X40. Z5.\nN30 G99 G1 Z0. F0.1\nN40 M30\n");
+    write("both.job.toml", "name = \"both\"\n[programs]\n1 = { file = \"ONE.nc\", language = \"fanuc\" }\n2 = { file = \"TWO.nc\", language = \"fanuc\" }\n");
+    choose("TWO.nc");
+    Programs& programs = screenOf<Programs>();
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Edit");
+    EditorPage& editor = programs.editor();
+    ASSERT_TRUE(waitFor([&] { return editor.file() == folder.filePath("TWO.nc") && !editor.opening() && editor.checking(); }));
+    ASSERT_TRUE(waitFor([&] { return !editor.checking(); }));
+    EXPECT_TRUE(editor.faults().empty()) << (editor.faults().empty() ? "" : editor.faults()[0].text.toStdString());
+    // The text in the editor, not the file: its wait is another one now.
+    QTextCursor wait(editor.edit().document()->findBlockByNumber(1));
+    wait.movePosition(QTextCursor::EndOfBlock);
+    editor.edit().setTextCursor(wait);
+    QTest::keyClick(&editor.edit(), Qt::Key_Backspace);
+    QTest::keyClicks(&editor.edit(), "1");
+    EXPECT_TRUE(waitFor([&] { return !editor.checking() && !editor.faults().empty(); }));
+}
+
 // A program that no job has is checked alone, in the channel that keys speak to.
 TEST_F(JobLanguage, AProgramAloneIsCheckedInTheChannelOfTheKeys) {
     write("O7.nc", "O7\nN10 G0 X40. Z5.\nN20 M30\n");
