@@ -64,7 +64,9 @@ private:
     void readFile();               // of the machine, aside
     void takeFile();
     void setColumns();
-    bool bitsAlone() const;        // the chosen parameter has bits, and nothing is typed: they have the room of the keys
+    // The chosen parameter has bits: while nothing is typed they have the room of the keys.
+    enum class Bits : std::uint8_t { None, Alone, Typed };
+    Bits bitsLook() const;
     QString target(const Line& line) const;
     void put(const Line& line, double now);
     void turnBit(const Line& line, unsigned bit);
@@ -93,7 +95,7 @@ private:
         QElapsedTimer since;
     } touched_;
     Page page_ = Page::List;
-    bool bitsShown_ = false;
+    Bits bits_ = Bits::None;
     CompensationPage* compensation_;
     Aside<std::shared_ptr<params::Table>> reading_;
     std::shared_ptr<params::Table> file_;
