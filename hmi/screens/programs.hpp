@@ -29,7 +29,7 @@ public:
     bool typing() const override { return page_ == Page::Edit || (page_ == Page::Files && files_->naming()); }
     QString state() const override;
     void restore(const QString& state) override;
-    void leave() override { desk_.draft = editor_->draft(); }
+    void leave() override { desk_.draft = editor_->draft(), restart_->keep(); }
     std::vector<Sheet*> sheets() override;
     int pages() const override { return files_->sheet() || (page_ != Page::Files && page_ != Page::Restart) ? 12 : 1; }
     HelpTopic help() const override;

@@ -236,6 +236,34 @@ TEST_F(Tasks, MeasureAToolByItsTouch) {
     EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[5].geometry[0] - stands()) < 1e-3; })) << live().store(1).offsets[5].geometry[0] << " is not " << stands();
 }
 
+TEST(RestartPlaces, ATextOrACommentCallsNoTool) {
+    EXPECT_EQ(toolCallOf("N20 T0101 M6"), 20);
+    EXPECT_EQ(toolCallOf("/2 N30 G97 S800 T3"), 30);
+    EXPECT_EQ(toolCallOf("N40 T=\"CUT 1\" D1"), 40);
+    EXPECT_EQ(toolCallOf("n50t5"), 50);
+    for (const char* line : {"N20 MSG(\"CUT 1\")", "N20 #MSG [\"CUT 1\"]", "N20 MSG \"CUT 1\"", "N20 G1 X4 (T5 COMES)", "N20 G1 ; T5", "N20 GOT1=5", "T5", "N20 G4 F2"}) EXPECT_FALSE(toolCallOf(line)) << line;
+}
+
+// Another theme makes the screens anew: the places are no less there.
+TEST_F(Tasks, PlacesOfARestartOutlastTheTheme) {
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).block > 60 && live().channel(1).file == 0; }));
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset && state(2) == ChannelState::Reset; }));
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Restart in the middle");
+    ASSERT_EQ(screenOf<Programs>().state().section('|', 0, 0), QString("3")) << screenOf<Programs>().state().toStdString();
+    hand.soft("All at their tools");
+    const std::int64_t stood = screenOf<Programs>().restartPage().stood(1);
+    ASSERT_GT(stood, 0);
+    window->setDark(false);
+    frames(*window);
+    EXPECT_EQ(screenOf<Programs>().restartPage().stood(1), stood);
+    EXPECT_EQ(screenOf<Programs>().restartPage().wanted(1), 20);
+    window->setDark(true);
+}
+
 // A tool breaks: reset, say that a new insert is in, go on where its tool was called.
 TEST_F(Tasks, RestartAfterABrokenTool) {
     startJob();
