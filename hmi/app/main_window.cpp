@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "hmi/machine/channel_words.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
@@ -49,6 +50,20 @@ void Desk::choose(unsigned wanted) {
     if (wanted == channel || std::find(live.channels().begin(), live.channels().end(), wanted) == live.channels().end()) return;
     channel = wanted;
     if (keysChanged) keysChanged();
+}
+
+void startOne(Desk& desk, unsigned channel) {
+    if (lacksProgram(desk.live, channel)) return desk.tell(word("%1: no program is selected").arg(QString("L%1").arg(channel)), Told::Refused);
+    desk.requests.press(QString("cycle_start L%1").arg(channel));
+}
+
+void startAllOf(Desk& desk) {
+    const QStringList all = startAll(desk.live);
+    QStringList passed;
+    for (const unsigned channel : desk.live.channels())
+        if (lacksProgram(desk.live, channel)) passed << QString("L%1").arg(channel);
+    for (const QString& words : all) desk.requests.press(words);
+    if (!passed.isEmpty()) desk.tell(word("%1: no program is selected").arg(passed.join(' ')), all.isEmpty() ? Told::Refused : Told::Note);
 }
 
 MainWindow::MainWindow(Choices choices)

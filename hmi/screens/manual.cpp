@@ -316,7 +316,7 @@ std::vector<SoftKey> Manual::keys() {
         {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
         {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
         {word("Start %1").arg(name), [this, name, mode_now, rests] {
-             if (mode_now != ChannelMode::Mdi || !rests) return desk_.requests.press("cycle_start " + name);
+             if (mode_now != ChannelMode::Mdi || !rests) return startOne(desk_, desk_.channel);
              if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
              startMdi();
          }, Sign::Run, there},

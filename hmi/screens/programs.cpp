@@ -282,7 +282,7 @@ std::vector<SoftKey> Programs::keys() {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
         const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
         runs |= works;
-        if (works || state == ChannelState::Absent || state == ChannelState::Dead) continue;
+        if (works || state == ChannelState::Absent || state == ChannelState::Dead || lacksProgram(desk_.live, channel)) continue;
         begins = true;   // with this press: that is asked for
         const auto& programs = desk_.live.view(channel).programs;
         beginning << QString("L%1=%2").arg(channel).arg(programs.empty() ? QString() : QString::fromStdString(programs[0]));
@@ -295,7 +295,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
+        {word("Start all"), [this] { startAllOf(desk_), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {

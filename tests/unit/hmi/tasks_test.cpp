@@ -236,6 +236,29 @@ TEST_F(Tasks, MeasureAToolByItsTouch) {
     EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[5].geometry[0] - stands()) < 1e-3; })) << live().store(1).offsets[5].geometry[0] << " is not " << stands();
 }
 
+// A controller in which nothing has been selected yet.
+class FreshTasks : public Tasks {};
+
+// Nothing that would only be interrupted is started, and what is missing is said before.
+TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
+    const QString program = QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc";
+    EXPECT_TRUE(lacksProgram(live(), 1) && lacksProgram(live(), 2));
+    EXPECT_TRUE(startNeeds(live(), 1).join(' ').contains("no program is selected")) << startNeeds(live(), 1).join(' ').toStdString();
+    EXPECT_TRUE(startAll(live()).isEmpty());
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Start all");
+    frames(*window, 300);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "L1 L2: no program is selected"));
+    EXPECT_EQ(state(1), ChannelState::Reset);
+    ASSERT_TRUE(g_controller->press("select L2=" + program));
+    ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 2); }));
+    EXPECT_EQ(startAll(live()), QStringList{"cycle_start L2"});
+    ASSERT_TRUE(g_controller->press("select L1=" + program));
+    ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 1); }));
+    EXPECT_EQ(startAll(live()), QStringList{"cycle_start"});
+}
+
 TEST(RestartPlaces, ATextOrACommentCallsNoTool) {
     EXPECT_EQ(toolCallOf("N20 T0101 M6"), 20);
     EXPECT_EQ(toolCallOf("/2 N30 G97 S800 T3"), 30);
