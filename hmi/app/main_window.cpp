@@ -90,7 +90,7 @@ MainWindow::MainWindow(Choices choices)
     requests_.onRefused = [this](const Answer& answer) { tell(answer.text + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
 
     setWindowTitle("Polyturn");
-    setMinimumSize(800, 600);
+    setMinimumSize(600, 480);
     top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
     help_ = new HelpView(this);
     dialogue_ = new DialogueView(desk_, this);
