@@ -37,6 +37,7 @@ void Manual::restore(const QString& state) {
     const int step = state.section(' ', 0, 0).toInt();
     if (step >= 0 && step < static_cast<int>(kSteps.size())) step_ = step;
     showHand(state.section(' ', 1, 1) == "1");
+    mdi_ = state.section(' ', 2).left(150);
 }
 
 void Manual::tellHeld() {

@@ -152,21 +152,27 @@ Parameters::Parameters(Desk& desk)
     search();
 }
 
+// The group, the row of the list, the search; page and filter.
+QString Parameters::state() const {
+    return QString("%1|%2|%3|%4|%5").arg(group_).arg(page_ == Page::List ? table_->row() : listRow_).arg(QString(search_).remove('|')).arg(static_cast<int>(page_)).arg(static_cast<int>(only_));
+}
+
 void Parameters::restore(const QString& state) {
     if (state.count('|') < 2) return;
     if (page_ != Page::List) showPage(Page::List);
     group_ = std::clamp(state.section('|', 0, 0).toInt(), 0, static_cast<int>(names_.size()) - 1);
-    search_ = state.section('|', 2);
+    search_ = state.section('|', 2, 2);
+    only_ = static_cast<Only>(std::clamp(state.section('|', 4, 4).toInt(), 0, static_cast<int>(Only::UnlikeFile)));
     groups_->choose(group_);
     search();
     table_->choose(state.section('|', 1, 1).toInt());
+    if (const int page = state.section('|', 3, 3).toInt(); page > 0 && page <= static_cast<int>(Page::Compensation)) showPage(static_cast<Page>(page));
 }
 
 // The instances that the machine has.
 void Parameters::search() {
     const MachineConfig& machine = desk_.live.config();
     touched_ = {};
-    if (const int page = state.section('|', 3, 3).toInt(); page > 0 && page <= static_cast<int>(Page::Compensation)) showPage(static_cast<Page>(page));
     lines_.clear();
     if (desk_.live.connected())
         for (const params::Row& row : params::rows()) {
@@ -433,10 +439,10 @@ void Parameters::composeDetail(Writer& w) {
         y += px(19);   // five lines and the card's border
     };
     if (bits) {
-        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
+        fact(word("Default"), bitDigits(static_cast<unsigned>(row.default_number(line->element))), differs(*line) ? t.accent : t.text);
     } else if (row.type != params::Type::Text) {
         fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
-        fact(word("Default"), bitDigits(static_cast<unsigned>(row.default_number(line->element))), differs(*line) ? t.accent : t.text);
+        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
     } else {
         fact(word("Default"), fromView(row.default_text), t.text);
     }

@@ -26,10 +26,12 @@ public:
         const int row = table_->row();
         file_.reset(), readFile(), search();
         table_->choose(row);
+        if (page_ == Page::Compensation) compensation_->begin();
+        if (page_ == Page::History) history_ = {}, historyAll_ = false, askHistory();
     }
     bool key(QKeyEvent* event) override;
     bool typing() const override { return true; }
-    QString state() const override { return QString("%1|%2|%3").arg(group_).arg(table_->row()).arg(search_); }
+    QString state() const override;
     void restore(const QString& state) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;

@@ -36,7 +36,7 @@ Programs::Programs(Desk& desk)
     files_->readFolder(desk_.folder);
 }
 
-// Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place.
+// Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place; what is compared.
 QString Programs::state() const {
     QStringList out{QString::number(static_cast<int>(page_)), files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()};
     if (!editor_->file().isEmpty()) out << editor_->file() << editor_->language() << QString::number(editor_->part().from) << QString::number(editor_->edit().textCursor().position());
@@ -48,6 +48,7 @@ void Programs::restore(const QString& state) {
     QStringList parts = state.split('|');
     if (parts.size() < 2) parts = {"0", {}};
     if (parts[1].startsWith('/')) files_->readFolder(parts[1].section('/', 0, -2) + "/", parts[1].section('/', -1));
+    if (page_ == Page::Compare) out << compare_->left() << compare_->right();
     const auto page = static_cast<Page>(parts[0].toInt());
     if (const Draft draft = std::exchange(desk_.draft, {}); !draft.file.isEmpty()) {
         editor_->openDraft(draft);
@@ -64,6 +65,7 @@ void Programs::keepRun() {
     if (back_) {
         const auto piece = desk_.kept.get("run", kLasting);
         if (!piece) return;                  // it is still being read
+    if (page == Page::Compare && parts.size() >= 4) compare_->compare(parts[parts.size() - 2], parts.back()), show(Page::Compare);
         back_ = false;
         if (!piece->isEmpty()) dry_.replay(*piece), wanted_ = dry_.wanted(), show(dry_.how() == DryRun::How::Check ? Page::Together : Page::Time);
         keptVersion_ = dry_.running() ? 0 : dry_.version();

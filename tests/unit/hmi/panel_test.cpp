@@ -5,6 +5,7 @@
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/alarms.hpp"
 #include "hmi/screens/diagnosis.hpp"
+#include "hmi/screens/manual.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/parameters.hpp"
 #include "hmi/screens/system.hpp"
@@ -260,6 +261,29 @@ TEST_F(PanelTasks, BitsShowAllOfTheirMeanings) {
         now.pad().clear();
     }
     window->setTongue(Tongue::English);
+}
+
+// After a crash or with another theme each screen stands where it stood.
+TEST_F(PanelTasks, EachScreenComesBackAsItWas) {
+    Operator hand(*window);
+    const auto again = [&] { window->setDark(false), frames(*window), window->setDark(true), frames(*window); };
+    hand.screen("parameters");
+    screenOf<Parameters>().find("N0304");
+    hand.soft("Compensation tables");
+    again();
+    EXPECT_TRUE(standsOn(screenOf<Parameters>().sheets(), "Compensation tables"));
+    hand.soft("Compensation tables");
+    hand.soft("History");
+    again();
+    EXPECT_TRUE(standsOn(screenOf<Parameters>().sheets(), "Changes of N0304"));
+    hand.soft("History");
+    frames(*window);
+    EXPECT_GE(screenOf<Parameters>().table().rows(), 4);
+    screenOf<Manual>().typeMdi("G0 X100 Z2");
+    again();
+    EXPECT_TRUE(screenOf<Manual>().state().endsWith(" G0 X100 Z2")) << screenOf<Manual>().state().toStdString();
+    screenOf<Manual>().typeMdi({});
+    screenOf<Parameters>().find({});
 }
 
 // As the command line and files write them; the rows of the bits keep their room while somebody types.
