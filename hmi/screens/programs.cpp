@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QTextBlock>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hmi/machine/channel_words.hpp"
@@ -31,6 +32,13 @@ Programs::Programs(Desk& desk)
     editor_->onNotOpened = [this] {
         if (page_ == Page::Edit) show(Page::Files);
     };
+    view_->onScroll = [this](double pixels) {
+        if (page_ != Page::Together) return;
+        scrolled_ += pixels / px(kTogetherRow);
+        const double rows = std::trunc(scrolled_);
+        scrolled_ -= rows, scroll_ = std::max(0, scroll_ + static_cast<int>(rows));
+        if (rows != 0) view_->refresh();
+    };
     view_->onCompose = [this](Writer& w) { page_ == Page::Time ? composeTime(w) : composeTogether(w); };
     if (desk_.folder.isEmpty()) desk_.folder = QDir::currentPath();
     files_->readFolder(desk_.folder);
@@ -40,6 +48,7 @@ Programs::Programs(Desk& desk)
 QString Programs::state() const {
     QStringList out{QString::number(static_cast<int>(page_)), files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()};
     if (!editor_->file().isEmpty()) out << editor_->file() << editor_->language() << QString::number(editor_->part().from) << QString::number(editor_->edit().textCursor().position());
+    if (page_ == Page::Compare) out << compare_->left() << compare_->right();
     return out.join('|');
 }
 
@@ -48,7 +57,6 @@ void Programs::restore(const QString& state) {
     QStringList parts = state.split('|');
     if (parts.size() < 2) parts = {"0", {}};
     if (parts[1].startsWith('/')) files_->readFolder(parts[1].section('/', 0, -2) + "/", parts[1].section('/', -1));
-    if (page_ == Page::Compare) out << compare_->left() << compare_->right();
     const auto page = static_cast<Page>(parts[0].toInt());
     if (const Draft draft = std::exchange(desk_.draft, {}); !draft.file.isEmpty()) {
         editor_->openDraft(draft);
@@ -57,6 +65,7 @@ void Programs::restore(const QString& state) {
         show(Page::Edit);
     }
     if (page == Page::Restart) show(Page::Restart);
+    if (page == Page::Compare && parts.size() >= 4) compare_->compare(parts[parts.size() - 2], parts.back()), show(Page::Compare);
     if (page == Page::Together || page == Page::Time) back_ = true, keepRun();
 }
 
@@ -65,7 +74,6 @@ void Programs::keepRun() {
     if (back_) {
         const auto piece = desk_.kept.get("run", kLasting);
         if (!piece) return;                  // it is still being read
-    if (page == Page::Compare && parts.size() >= 4) compare_->compare(parts[parts.size() - 2], parts.back()), show(Page::Compare);
         back_ = false;
         if (!piece->isEmpty()) dry_.replay(*piece), wanted_ = dry_.wanted(), show(dry_.how() == DryRun::How::Check ? Page::Together : Page::Time);
         keptVersion_ = dry_.running() ? 0 : dry_.version();
@@ -189,7 +197,7 @@ HelpTopic Programs::help() const {
 
 void Programs::show(Page page) {
     page_ = page, back_ = false;
-    scroll_ = 0;
+    scroll_ = 0, scrolled_ = 0;
     timeVersion_ = ~0ull;
     layOut();
     refresh();

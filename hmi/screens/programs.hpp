@@ -41,12 +41,15 @@ public:
     EditorPage& editor() { return *editor_; }
     RestartPage& restartPage() { return *restart_; }
     const DryRun& dryRun() const { return dry_; }
+    FreeSheet& picture() { return *view_; }  // the synchronised view, the timeline
+    int firstRow() const { return scroll_; } // of the synchronised view
 
 protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
     enum class Page : std::uint8_t { Files, Together, Time, Restart, Edit, Compare };
+    static constexpr double kTogetherRow = 24;
     void layOut();
     void select();
     void edit();
@@ -84,6 +87,7 @@ private:
     std::uint64_t keptVersion_ = 0;          // of the run that is kept
     bool back_ = false;                      // the run of before a restart is to be shown
     int scroll_ = 0;
+    double scrolled_ = 0;                    // pixels of a finger that are no row yet
 };
 
 }  // namespace polyturn::hmi

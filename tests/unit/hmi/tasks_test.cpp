@@ -1,6 +1,8 @@
 // What an operator does all day, driven by touches and keys only, against a real controller with a running two-channel job. Each task
 // has a most of actions.
 
+#include <QWheelEvent>
+
 #include "hmi/screens/manual.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/programs.hpp"
@@ -257,6 +259,31 @@ TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
     ASSERT_TRUE(g_controller->press("select L1=" + program));
     ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 1); }));
     EXPECT_EQ(startAll(live()), QStringList{"cycle_start"});
+}
+
+// By a finger and the wheel too, and a bar shows that there is more.
+TEST_F(Tasks, TheSynchronisedViewIsScrolledByTouch) {
+    Programs& programs = screenOf<Programs>();
+    programs.restore(QString("0|") + POLYTURN_SOURCE_DIR + "/examples/jobs/shaft/shaft.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Check, waits");
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }));
+    frames(*window, 100);
+    FreeSheet& view = programs.picture();
+    const QPoint from(view.width() / 2, view.height() / 2);
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from - QPoint(0, i * px(24)));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from - QPoint(0, 5 * px(24)));
+    EXPECT_EQ(programs.firstRow(), 5);
+    const auto turn = [&](int by) {
+        QWheelEvent wheel(QPointF(from), view.mapToGlobal(QPointF(from)), {}, QPoint(0, by), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&view, &wheel);
+    };
+    turn(-120);
+    EXPECT_EQ(programs.firstRow(), 8);
+    turn(120), turn(120), turn(120);
+    EXPECT_EQ(programs.firstRow(), 0);
 }
 
 TEST(RestartPlaces, ATextOrACommentCallsNoTool) {
