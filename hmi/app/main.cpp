@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QScreen>
 #include <QStandardPaths>
 #include <cstdio>
 
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
     if (!choices.language.empty() && !polyturn::tongue_of(choices.language)) return wrong("--lang is en, ru, cs or hu");
     if (!choices.theme.empty() && choices.theme != "dark" && choices.theme != "light") return wrong("--theme is dark or light");
     const QStringList size = parser.value("size").split('x');
-    if (size.size() != 2 || size[0].toInt() < 800 || size[1].toInt() < 600 || size[0].toInt() > 7680 || size[1].toInt() > 4320) return wrong("--size is at least 800x600");
+    if (size.size() != 2 || size[0].toInt() < 600 || size[1].toInt() < 480 || size[0].toInt() > 7680 || size[1].toInt() > 4320) return wrong("--size is at least 600x480");
     const QSize wanted(size[0].toInt(), size[1].toInt());
     if (parser.isSet("screenshots")) return polyturn::hmi::saveScreenshots(choices, wanted, parser.value("screenshots"), parser.value("only"));
     if (parser.isSet("measure")) {
@@ -51,7 +52,10 @@ int main(int argc, char** argv) {
     if (const QString passing = QStandardPaths::writableLocation(QStandardPaths::RuntimeLocation); !passing.isEmpty()) choices.passingIn = passing + "/polyturn-hmi-" + QString::fromStdString(choices.instance);
     polyturn::hmi::MainWindow window(choices);
     window.resize(wanted);
-    if (parser.isSet("full-screen")) window.showFullScreen();
+    if (parser.isSet("full-screen")) {
+        window.setGeometry(QGuiApplication::primaryScreen()->geometry());   // without a window manager nobody else makes it so large
+        window.showFullScreen();
+    }
     else window.show();
     return app.exec();
 }

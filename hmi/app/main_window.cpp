@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "hmi/machine/channel_words.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
@@ -51,6 +52,20 @@ void Desk::choose(unsigned wanted) {
     if (keysChanged) keysChanged();
 }
 
+void startOne(Desk& desk, unsigned channel) {
+    if (lacksProgram(desk.live, channel)) return desk.tell(word("%1: no program is selected").arg(QString("L%1").arg(channel)), Told::Refused);
+    desk.requests.press(QString("cycle_start L%1").arg(channel));
+}
+
+void startAllOf(Desk& desk) {
+    const QStringList all = startAll(desk.live);
+    QStringList passed;
+    for (const unsigned channel : desk.live.channels())
+        if (lacksProgram(desk.live, channel)) passed << QString("L%1").arg(channel);
+    for (const QString& words : all) desk.requests.press(words);
+    if (!passed.isEmpty()) desk.tell(word("%1: no program is selected").arg(passed.join(' ')), all.isEmpty() ? Told::Refused : Told::Note);
+}
+
 MainWindow::MainWindow(Choices choices)
     : choices_(std::move(choices)), kept_(choices_.keptIn.isEmpty() ? nullptr : std::make_unique<QSettings>(choices_.keptIn, QSettings::IniFormat)), live_(choices_.instance),
       requests_(choices_.instance), alarms_(live_, requests_), desk_{live_, requests_, alarms_} {
@@ -75,7 +90,7 @@ MainWindow::MainWindow(Choices choices)
     requests_.onRefused = [this](const Answer& answer) { tell(answer.text + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
 
     setWindowTitle("Polyturn");
-    setMinimumSize(800, 600);
+    setMinimumSize(600, 480);
     top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
     help_ = new HelpView(this);
     dialogue_ = new DialogueView(desk_, this);

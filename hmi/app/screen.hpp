@@ -55,6 +55,10 @@ struct Desk {
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };
 
+// Keys that start: what has no program to begin is told, and not started.
+void startOne(Desk& desk, unsigned channel);
+void startAllOf(Desk& desk);
+
 class Screen : public QWidget {
 public:
     explicit Screen(Desk& desk) : desk_(desk) {}

@@ -46,8 +46,27 @@ QString waitWords(const Live& live, unsigned channel) {
     return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, %3 so far").arg(code, missing.join(" "), since);
 }
 
+bool lacksProgram(const Live& live, unsigned channel) {
+    const ChannelStatus& status = live.channel(channel);
+    const auto state = static_cast<ChannelState>(status.state);
+    const auto& programs = live.view(channel).programs;
+    return (state == ChannelState::Reset || state == ChannelState::Ended) && static_cast<ChannelMode>(status.mode) == ChannelMode::Auto && (programs.empty() || programs.front().empty());
+}
+
+QStringList startAll(const Live& live) {
+    QStringList out;
+    bool passed = false;
+    for (const unsigned channel : live.channels()) {
+        const bool lacks = lacksProgram(live, channel);
+        passed |= lacks;
+        if (!lacks) out << QString("cycle_start L%1").arg(channel);
+    }
+    return passed ? out : QStringList{"cycle_start"};   // all in the same tick
+}
+
 QStringList startNeeds(const Live& live, unsigned channel) {
     QStringList out;
+    if (lacksProgram(live, channel)) out << word("no program is selected") + " (" + word("select one on the page of programs") + ")";
     const std::uint32_t missing = live.channel(channel).start_missing;
     for (std::size_t row = 0; row < kStartWords.size(); ++row) {
         if (!(missing >> row & 1u)) continue;
@@ -68,7 +87,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     const auto state = static_cast<ChannelState>(status.state);
     const bool goesOn = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::ProgramStop;   // what was broken off waits for nobody
     if (state == ChannelState::Waiting || (status.wait_missing && goesOn)) return {Plight::Kind::Waits, waitWords(live, channel)};
-    if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+    if (state != ChannelState::Running && (status.start_missing || lacksProgram(live, channel))) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
     if (const AlarmEntry* here = state == ChannelState::ProgramStop ? alarms.toldAt(channel, status.line) : nullptr) return {Plight::Kind::Stands, word("%1: start goes on").arg(here->text)};
     if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
         switch (static_cast<StopReason>(status.stop_reason)) {

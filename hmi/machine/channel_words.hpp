@@ -21,6 +21,9 @@ struct Plight {
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
 QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 for L2, 12 s»; empty: it waits for nobody
 QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
+bool lacksProgram(const Live& live, unsigned channel);      // a start would begin a program, and none is selected
+// What starts them all: channels that have nothing to begin are passed over, and would be interrupted otherwise. Empty: no channel has.
+QStringList startAll(const Live& live);
 
 QString timeText(double seconds);                           // 1:02:03, 2:03
 QString hoursText(double seconds);       // always with hours: of counters, where 1:15 could be either

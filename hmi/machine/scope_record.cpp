@@ -25,7 +25,7 @@ void ScopeRecord::add(const std::vector<ScopeSample>& fresh, double window_ticks
     }
 }
 
-std::string ScopeRecord::csv(const std::array<std::string, kScopeTraces>& names, double tick_s) const {
+std::string ScopeRecord::csv(const std::deque<ScopeSample>& samples, const std::array<std::string, kScopeTraces>& names, double tick_s) {
     std::string out = "t";
     for (const std::string& name : names)
         if (!name.empty()) out += "," + name;
@@ -35,8 +35,8 @@ std::string ScopeRecord::csv(const std::array<std::string, kScopeTraces>& names,
         const auto end = std::to_chars(text, text + sizeof text, value);
         out.append(text, end.ptr);
     };
-    for (const ScopeSample& sample : samples_) {
-        number(static_cast<double>(sample.tick - samples_.front().tick) * tick_s);
+    for (const ScopeSample& sample : samples) {
+        number(static_cast<double>(sample.tick - samples.front().tick) * tick_s);
         for (std::size_t i = 0; i < kScopeTraces; ++i)
             if (!names[i].empty()) out += ',', number(sample.value[i]);
         out += "\n";

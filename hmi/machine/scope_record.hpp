@@ -32,7 +32,8 @@ public:
     std::int64_t triggeredAt() const { return at_; }   // tick; 0: it has not
     std::uint64_t began() const { return began_; }     // another number: another record, nothing of the one before is in it
     // One line a tick; the names are the columns.
-    std::string csv(const std::array<std::string, kScopeTraces>& names, double tick_s) const;
+    std::string csv(const std::array<std::string, kScopeTraces>& names, double tick_s) const { return csv(samples_, names, tick_s); }
+    static std::string csv(const std::deque<ScopeSample>& samples, const std::array<std::string, kScopeTraces>& names, double tick_s);
 
 private:
     std::deque<ScopeSample> samples_;

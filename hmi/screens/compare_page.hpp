@@ -17,6 +17,8 @@ public:
     bool busy() const { return work_.busy(); }
     const Difference& difference() const { return difference_; }
     int first() const { return first_; }
+    const QString& left() const { return left_; }
+    const QString& right() const { return right_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override { view_->setGeometry(px(8), 0, width() - px(16), height() - px(8)), view_->refresh(); }

@@ -57,7 +57,7 @@ void Programs::composeTogether(Writer& w) {
     composeFaults(w, QRectF(0, high - foot + px(6), wide, foot - px(8)));
     const auto& channels = dry_.channels();
     if (channels.empty()) return;
-    const double each = wide / static_cast<double>(channels.size()), head = px(34), row = px(24);
+    const double each = wide / static_cast<double>(channels.size()), head = px(34), row = px(kTogetherRow);
     const bool narrow = each < px(220);   // eight channels: smaller letters, so that a block can be read
     const double text = px(narrow ? 36 : 56);
     std::map<unsigned, double> left;
@@ -73,6 +73,10 @@ void Programs::composeTogether(Writer& w) {
     const auto& rows = aligned_.rows();
     const int visible = static_cast<int>((high - foot - head - px(12)) / row);
     scroll_ = std::clamp(scroll_, 0, std::max(0, static_cast<int>(rows.size()) - visible));
+    if (const int all = static_cast<int>(rows.size()); all > visible) {   // that there is more, and where this is
+        const double room = visible * row, part = std::max<double>(px(24), room * visible / all);
+        w.fill(QRectF(wide - px(7), head + (room - part) * scroll_ / (all - visible), px(5), part), t.edge, px(2));
+    }
     const auto faultAt = [&](const RunLine& line) {   // an error rather than a warning; nullptr: neither
         const RunFault* found = nullptr;
         for (const RunFault& fault : dry_.faults())

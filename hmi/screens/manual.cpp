@@ -37,6 +37,7 @@ void Manual::restore(const QString& state) {
     const int step = state.section(' ', 0, 0).toInt();
     if (step >= 0 && step < static_cast<int>(kSteps.size())) step_ = step;
     showHand(state.section(' ', 1, 1) == "1");
+    mdi_ = state.section(' ', 2).left(150);
 }
 
 void Manual::tellHeld() {
@@ -316,7 +317,7 @@ std::vector<SoftKey> Manual::keys() {
         {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
         {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
         {word("Start %1").arg(name), [this, name, mode_now, rests] {
-             if (mode_now != ChannelMode::Mdi || !rests) return desk_.requests.press("cycle_start " + name);
+             if (mode_now != ChannelMode::Mdi || !rests) return startOne(desk_, desk_.channel);
              if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
              startMdi();
          }, Sign::Run, there},

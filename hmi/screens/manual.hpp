@@ -23,7 +23,7 @@ public:
     bool keyReleased(QKeyEvent* event) override;
     void letGo() override;
     bool typing() const override { return typing_; }
-    QString state() const override { return QString("%1 %2").arg(step_).arg(handShown_ ? 1 : 0); }
+    QString state() const override { return QString("%1 %2 ").arg(step_).arg(handShown_ ? 1 : 0) + mdi_; }   // the typed block too: it is started by a press of its own
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 3; }   // the handwheel and the tool, a block that is typed

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/channel_card.hpp"
 
@@ -121,7 +122,7 @@ std::vector<SoftKey> Overview::keys() {
         const auto other = static_cast<ChannelState>(live.channel(one).state);
         const bool works = other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
         anyInProgram |= works;
-        const bool begins = !works && other != ChannelState::Absent && other != ChannelState::Dead;
+        const bool begins = !works && !lacksProgram(live, one) && other != ChannelState::Absent && other != ChannelState::Dead;
         anyBegins |= begins;
         if (begins) beginning << QString("L%1=%2").arg(one).arg(live.view(one).programs.empty() ? QString() : QString::fromStdString(live.view(one).programs[0]));
         allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
@@ -132,14 +133,14 @@ std::vector<SoftKey> Overview::keys() {
     const bool ends = anyProgram && !anyGoesOn;   // life of a tool and warming up ask for it too, in one channel alone
     const bool single = (status.keys & kKeySingleBlock) != 0;
     std::vector<SoftKey> keys{   // these have their places on both pages: who is in need of Hold looks at no page
-        {word("Start %1").arg(name), press("cycle_start " + name), Sign::Run, there},
+        {word("Start %1").arg(name), [this, channel] { startOne(desk_, channel); }, Sign::Run, there},
         {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
         {word("Reset %1").arg(name), press("reset " + name), Sign::Reset, there, false, true, inProgram ? word("Ends the program: press again") : QString()},
         {word("Single block %1").arg(name), press(QString("single_block %1=%2").arg(name, single ? "off" : "on")), Sign::Stop, there, single},
     };
     if (page_ != Keys::Channels) return addControlKeys(keys, there), keys;
     const std::vector<SoftKey> all{
-        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},   // one that goes on needs no question, one that begins does
+        {word("Start all"), [this] { startAllOf(desk_); }, Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},   // one that goes on needs no question, one that begins does
         {word("Hold all"), press("feed_hold"), Sign::Hold, there},
         {word("Reset all"), press("reset"), Sign::Reset, there, false, true, anyInProgram ? word("Ends all programs: press again") : QString()},
         {word("Single block all"), [this, allSingle] {

@@ -54,6 +54,15 @@ bool matches(const params::Row& row, const QString& searched) {
     return std::any_of(row.bits.begin(), row.bits.end(), [&](const params::Bit& bit) { return has(bit.name); });
 }
 
+// A value of the history: of a parameter of bits by its digits, as everywhere on this screen.
+QString asShown(const QString& target, const QString& value) {
+    static const QRegularExpression kEnd("[ \\[]");
+    const params::Row* row = params::find(target.section(kEnd, 0, 0).toStdString());
+    bool number = false;
+    const unsigned bits = value.toUInt(&number);
+    return row && row->type == params::Type::Bits && number && bits <= 255 && value.size() < 8 ? bitDigits(bits) : value;
+}
+
 // A bit whose table tells what it means on says nothing of off where off is just that it does not; and the other way round.
 QString bothMeanings(const QString& told) {
     static const QRegularExpression kOne("(^|[ ,;])1 "), kNone("(^|[ ,;])0 ");
@@ -90,7 +99,8 @@ Parameters::Parameters(Desk& desk)
             const QJsonObject one = history_.at(row).toObject();
             if (column == 0) return {momentText(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime(), "HH:mm:ss"), theme().dim, Sign::None, false, Face::Condensed};
             static constexpr const char* kNames[] = {"what", "who", "old", "new"};
-            return {one.value(kNames[column - 1]).toString(), column == 4 ? theme().accent : theme().text, Sign::None, column == 4 || column == 1, column == 1 ? Face::Condensed : Face::Text};
+            const QString told = one.value(kNames[column - 1]).toString();
+            return {column >= 3 ? asShown(one.value("what").toString(), told) : told, column == 4 ? theme().accent : theme().text, Sign::None, column == 4 || column == 1, column == 1 ? Face::Condensed : Face::Text};
         }
         const Line& line = lines_[static_cast<std::size_t>(row)];
         const Theme& t = theme();
@@ -98,11 +108,11 @@ Parameters::Parameters(Desk& desk)
         switch (column) {
             case 0: return {target(line), t.text, Sign::None, true, Face::Condensed};
             case 1: return {fromView(params::words_of(*line.row, spoken()).name), line.row->acts == "yes" ? t.text : t.faint};
-            case 2: return {QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), differ ? t.accent : t.text, Sign::None, differ};
+            case 2: return {textIn(desk_.live.table(), line), differ ? t.accent : t.text, Sign::None, differ};
             default: return {unitWord(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
         }
     };
-    table_->onChosen = [this] { touched_ = {}, pad_->clear(), detail_->refresh(), bitsAlone() != bitsShown_ ? layOut() : void(); };
+    table_->onChosen = [this] { touched_ = {}, pad_->clear(), detail_->refresh(), bitsLook() != bits_ ? layOut() : void(); };
     table_->onActivated = [this] { if (const Line* line = chosen()) askText(*line); };
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
@@ -134,7 +144,7 @@ Parameters::Parameters(Desk& desk)
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
         if (!line || line->row->type == params::Type::Text || !desk_.live.connected()) return std::nullopt;
-        return NumberPad::Field{target(*line), unitWord(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u};
+        return NumberPad::Field{target(*line), unitWord(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u, line->row->type == params::Type::Bits};
     };
     pad_->onInput = [this](double now) {
         if (const Line* line = chosen()) put(*line, now);
@@ -142,14 +152,21 @@ Parameters::Parameters(Desk& desk)
     search();
 }
 
+// The group, the row of the list, the search; page and filter.
+QString Parameters::state() const {
+    return QString("%1|%2|%3|%4|%5").arg(group_).arg(page_ == Page::List ? table_->row() : listRow_).arg(QString(search_).remove('|')).arg(static_cast<int>(page_)).arg(static_cast<int>(only_));
+}
+
 void Parameters::restore(const QString& state) {
     if (state.count('|') < 2) return;
     if (page_ != Page::List) showPage(Page::List);
     group_ = std::clamp(state.section('|', 0, 0).toInt(), 0, static_cast<int>(names_.size()) - 1);
-    search_ = state.section('|', 2);
+    search_ = state.section('|', 2, 2);
+    only_ = static_cast<Only>(std::clamp(state.section('|', 4, 4).toInt(), 0, static_cast<int>(Only::UnlikeFile)));
     groups_->choose(group_);
     search();
     table_->choose(state.section('|', 1, 1).toInt());
+    if (const int page = state.section('|', 3, 3).toInt(); page > 0 && page <= static_cast<int>(Page::Compensation)) showPage(static_cast<Page>(page));
 }
 
 // The instances that the machine has.
@@ -186,7 +203,7 @@ HelpTopic Parameters::help() const {
     const QString unit = unitWord(params::unit_of(row, desk_.live.table(), line->instance));
     return {"builder.md", "The machine is its parameters",
             QString("# %1 %2\n\n%3\n\n| | |\n| --- | --- |\n| %4 | %5 %6 |\n| %7 | %8 |\n| %9 | %10 |")
-                .arg(fromView(row.number), fromView(words.name), fromView(words.meaning), word("Value"), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), unit)
+                .arg(fromView(row.number), fromView(words.name), fromView(words.meaning), word("Value"), textIn(desk_.live.table(), *line), unit)
                 .arg(word("Effect"), word(effectWord(row.effect)), word("Level"), word(levelWord(row.protection)))};
 }
 
@@ -208,7 +225,10 @@ bool Parameters::differs(const Line& line) const {
 
 bool Parameters::unlikeFile(const Line& line) const { return file_ && textIn(*file_, line) != textIn(desk_.live.table(), line); }
 
-QString Parameters::textIn(const params::Table& table, const Line& line) const { return QString::fromStdString(params::value_text(*line.row, table, line.instance, line.element)); }
+QString Parameters::textIn(const params::Table& table, const Line& line) const {
+    if (line.row->type == params::Type::Bits) return bitDigits(static_cast<unsigned>(table.numbers[line.row->first_slot + static_cast<std::size_t>(line.instance - 1) * line.row->array + line.element]));
+    return QString::fromStdString(params::value_text(*line.row, table, line.instance, line.element));
+}
 
 // The file may lie on a network.
 void Parameters::readFile() {
@@ -241,7 +261,7 @@ void Parameters::setColumns() {
 
 std::vector<Sheet*> Parameters::sheets() {
     if (page_ == Page::List) {
-        if (bitsShown_) return {head_, groups_, table_, detail_};
+        if (bits_ == Bits::Alone) return {head_, groups_, table_, detail_};
         return {head_, groups_, table_, detail_, pad_};
     }
     if (page_ == Page::History) return {head_, table_};
@@ -288,9 +308,9 @@ void Parameters::turnTo(int page) {
     if (page < 2) find(page == 1 ? "N0106" : QString());
 }
 
-bool Parameters::bitsAlone() const {
+Parameters::Bits Parameters::bitsLook() const {
     const Line* line = chosen();
-    return line && line->row->type == params::Type::Bits && pad_->text().isEmpty();
+    return !line || line->row->type != params::Type::Bits ? Bits::None : pad_->text().isEmpty() ? Bits::Alone : Bits::Typed;
 }
 
 QString Parameters::target(const Line& line) const {
@@ -301,7 +321,8 @@ QString Parameters::target(const Line& line) const {
 }
 
 void Parameters::put(const Line& line, double now) {
-    put(line, line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
+    const bool digits = line.row->type == params::Type::Bits && now >= 0 && now <= 255;   // else the control says what is allowed
+    put(line, digits ? bitDigits(static_cast<unsigned>(now)) : line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
 }
 
 void Parameters::turnBit(const Line& line, unsigned bit) {
@@ -319,7 +340,7 @@ void Parameters::nextBit(const params::Row& row, int step) {
 }
 
 void Parameters::put(const Line& line, const QString& written) {
-    const QString where = target(line), old = QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element));
+    const QString where = target(line), old = textIn(desk_.live.table(), line);
     desk_.requests.parameter(where + "=" + written, [this, where, old, written](const Answer& answer) {
         if (!answer.ok) return;
         changes_.push_back({where, old, written});
@@ -352,13 +373,16 @@ void Parameters::layOut() {
     head_->setGeometry(0, 0, width(), top);
     groups_->setGeometry(edge, top, groups, height() - top - edge);
     const bool list = page_ == Page::List;
-    bitsShown_ = bitsAlone();
-    if (list) table_->setGeometry(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge);
+    bits_ = bitsLook();
+    // Bits keep their room while a number is typed: the keys come beneath the list.
+    const bool beneath = bits_ == Bits::Typed;
+    const QRect middle(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge - (beneath ? pad + edge : 0));
+    if (list) table_->setGeometry(middle);
     else table_->setGeometry(edge, top, width() - 2 * edge, height() - top - edge);
-    detail_->setGeometry(width() - side - edge, top, side, height() - top - edge - (bitsShown_ ? 0 : pad + edge));
-    pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    detail_->setGeometry(width() - side - edge, top, side, height() - top - edge - (bits_ == Bits::None ? pad + edge : 0));
+    pad_->setGeometry(beneath ? middle.right() + 1 - side : width() - side - edge, height() - pad - edge, side, pad);
     compensation_->setGeometry(0, top, width(), height() - top);
-    groups_->setVisible(list), detail_->setVisible(list), pad_->setVisible(list && !bitsShown_);
+    groups_->setVisible(list), detail_->setVisible(list), pad_->setVisible(list && bits_ != Bits::Alone);
     table_->setVisible(page_ != Page::Compensation), compensation_->setVisible(page_ == Page::Compensation);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -415,7 +439,7 @@ void Parameters::composeDetail(Writer& w) {
         y += px(19);   // five lines and the card's border
     };
     if (bits) {
-        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
+        fact(word("Default"), bitDigits(static_cast<unsigned>(row.default_number(line->element))), differs(*line) ? t.accent : t.text);
     } else if (row.type != params::Type::Text) {
         fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
         fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
@@ -437,13 +461,13 @@ void Parameters::refresh() {
     takeFile();
     if (page_ == Page::Compensation) return head_->refresh(), compensation_->refresh();
     if (page_ == Page::History && !historyAll_ && !historyAsked_ && !history_.isEmpty() && table_->row() + table_->visibleRows() >= history_.size()) askHistory();
-    if (page_ == Page::List && bitsAlone() != bitsShown_) layOut();
+    if (page_ == Page::List && bitsLook() != bits_) layOut();
     groups_->focused = onGroups_, table_->focused = page_ == Page::List && !onGroups_;
     for (Sheet* one : sheets()) one->refresh();
 }
 
 std::vector<SoftKey> Parameters::keys() {
-    const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen() && chosen()->row->type != params::Type::Text;
+    const bool ready = desk_.live.connected() && pad_->ready() && chosen() && chosen()->row->type != params::Type::Text;
     bool any = false;
     for (const Change& change : changes_) any |= !change.undone;
     const Line* line = chosen();
@@ -474,7 +498,7 @@ bool Parameters::key(QKeyEvent* event) {
         return true;
     }
     if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return onGroups_ = !onGroups_, refresh(), true;
-    if (const Line* line = chosen(); line && bitsAlone() && !onGroups_) {
+    if (const Line* line = chosen(); line && bitsLook() == Bits::Alone && !onGroups_) {
         if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) return nextBit(*line->row, event->key() == Qt::Key_Right ? 1 : -1), true;
         if (event->key() == Qt::Key_Space) return turnBit(*line, bit_), true;
     }

@@ -26,10 +26,12 @@ public:
         const int row = table_->row();
         file_.reset(), readFile(), search();
         table_->choose(row);
+        if (page_ == Page::Compensation) compensation_->begin();
+        if (page_ == Page::History) history_ = {}, historyAll_ = false, askHistory();
     }
     bool key(QKeyEvent* event) override;
     bool typing() const override { return true; }
-    QString state() const override { return QString("%1|%2|%3").arg(group_).arg(table_->row()).arg(search_); }
+    QString state() const override;
     void restore(const QString& state) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;
@@ -64,7 +66,9 @@ private:
     void readFile();               // of the machine, aside
     void takeFile();
     void setColumns();
-    bool bitsAlone() const;        // the chosen parameter has bits, and nothing is typed: they have the room of the keys
+    // The chosen parameter has bits: while nothing is typed they have the room of the keys.
+    enum class Bits : std::uint8_t { None, Alone, Typed };
+    Bits bitsLook() const;
     QString target(const Line& line) const;
     void put(const Line& line, double now);
     void turnBit(const Line& line, unsigned bit);
@@ -93,7 +97,7 @@ private:
         QElapsedTimer since;
     } touched_;
     Page page_ = Page::List;
-    bool bitsShown_ = false;
+    Bits bits_ = Bits::None;
     CompensationPage* compensation_;
     Aside<std::shared_ptr<params::Table>> reading_;
     std::shared_ptr<params::Table> file_;

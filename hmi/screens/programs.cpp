@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QTextBlock>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hmi/machine/channel_words.hpp"
@@ -31,15 +32,23 @@ Programs::Programs(Desk& desk)
     editor_->onNotOpened = [this] {
         if (page_ == Page::Edit) show(Page::Files);
     };
+    view_->onScroll = [this](double pixels) {
+        if (page_ != Page::Together) return;
+        scrolled_ += pixels / px(kTogetherRow);
+        const double rows = std::trunc(scrolled_);
+        scrolled_ -= rows, scroll_ = std::max(0, scroll_ + static_cast<int>(rows));
+        if (rows != 0) view_->refresh();
+    };
     view_->onCompose = [this](Writer& w) { page_ == Page::Time ? composeTime(w) : composeTogether(w); };
     if (desk_.folder.isEmpty()) desk_.folder = QDir::currentPath();
     files_->readFolder(desk_.folder);
 }
 
-// Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place.
+// Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place; what is compared.
 QString Programs::state() const {
     QStringList out{QString::number(static_cast<int>(page_)), files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()};
     if (!editor_->file().isEmpty()) out << editor_->file() << editor_->language() << QString::number(editor_->part().from) << QString::number(editor_->edit().textCursor().position());
+    if (page_ == Page::Compare) out << compare_->left() << compare_->right();
     return out.join('|');
 }
 
@@ -56,6 +65,7 @@ void Programs::restore(const QString& state) {
         show(Page::Edit);
     }
     if (page == Page::Restart) show(Page::Restart);
+    if (page == Page::Compare && parts.size() >= 4) compare_->compare(parts[parts.size() - 2], parts.back()), show(Page::Compare);
     if (page == Page::Together || page == Page::Time) back_ = true, keepRun();
 }
 
@@ -187,7 +197,7 @@ HelpTopic Programs::help() const {
 
 void Programs::show(Page page) {
     page_ = page, back_ = false;
-    scroll_ = 0;
+    scroll_ = 0, scrolled_ = 0;
     timeVersion_ = ~0ull;
     layOut();
     refresh();
@@ -282,7 +292,7 @@ std::vector<SoftKey> Programs::keys() {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
         const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
         runs |= works;
-        if (works || state == ChannelState::Absent || state == ChannelState::Dead) continue;
+        if (works || state == ChannelState::Absent || state == ChannelState::Dead || lacksProgram(desk_.live, channel)) continue;
         begins = true;   // with this press: that is asked for
         const auto& programs = desk_.live.view(channel).programs;
         beginning << QString("L%1=%2").arg(channel).arg(programs.empty() ? QString() : QString::fromStdString(programs[0]));
@@ -295,7 +305,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
+        {word("Start all"), [this] { startAllOf(desk_), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {

@@ -29,7 +29,7 @@ public:
     bool typing() const override { return page_ == Page::Edit || (page_ == Page::Files && files_->naming()); }
     QString state() const override;
     void restore(const QString& state) override;
-    void leave() override { desk_.draft = editor_->draft(); }
+    void leave() override { desk_.draft = editor_->draft(), restart_->keep(); }
     std::vector<Sheet*> sheets() override;
     int pages() const override { return files_->sheet() || (page_ != Page::Files && page_ != Page::Restart) ? 12 : 1; }
     HelpTopic help() const override;
@@ -41,12 +41,15 @@ public:
     EditorPage& editor() { return *editor_; }
     RestartPage& restartPage() { return *restart_; }
     const DryRun& dryRun() const { return dry_; }
+    FreeSheet& picture() { return *view_; }  // the synchronised view, the timeline
+    int firstRow() const { return scroll_; } // of the synchronised view
 
 protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
     enum class Page : std::uint8_t { Files, Together, Time, Restart, Edit, Compare };
+    static constexpr double kTogetherRow = 24;
     void layOut();
     void select();
     void edit();
@@ -84,6 +87,7 @@ private:
     std::uint64_t keptVersion_ = 0;          // of the run that is kept
     bool back_ = false;                      // the run of before a restart is to be shown
     int scroll_ = 0;
+    double scrolled_ = 0;                    // pixels of a finger that are no row yet
 };
 
 }  // namespace polyturn::hmi

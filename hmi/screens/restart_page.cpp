@@ -1,5 +1,6 @@
 #include "hmi/screens/restart_page.hpp"
 
+#include <QDateTime>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QRegularExpression>
@@ -11,6 +12,9 @@
 
 namespace polyturn::hmi {
 namespace {
+
+constexpr auto kPlacesSpan = KeptPieces::Span::Lasting;   // a power failure in the middle of a part is just when it is wanted
+constexpr qint64 kPlacesMs = 1'000, kPlacesRunningMs = 10'000;
 
 enum Column { kChannel, kProgram, kStood, kTool, kWanted };
 
@@ -27,7 +31,7 @@ RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(d
     table_->cell = [this](int row, int column) -> Table::Cell {
         const Theme& t = theme();
         const unsigned channel = desk_.live.channels()[static_cast<std::size_t>(row)];
-        const Stood& one = at(channel);
+        Stood& one = at(channel);
         switch (column) {
             case kChannel: return {QString("L%1").arg(channel), t.text, Sign::None, true};
             case kProgram: {
@@ -78,24 +82,76 @@ std::optional<unsigned> RestartPage::chosen() const {
     return row < desk_.live.channels().size() ? std::optional(desk_.live.channels()[row]) : std::nullopt;
 }
 
+// In memory too: another theme or language makes the screens anew.
+void RestartPage::keep() {
+    if (!back_) return;
+    QStringList lines;
+    for (unsigned channel = 1; channel <= kMaxChannels; ++channel)
+        if (const Stood& one = at(channel); !one.program.empty()) lines << QString("%1\t%2\t%3\t%4\t%5").arg(channel).arg(one.line).arg(one.block).arg(one.wanted).arg(QString::fromStdString(one.program));
+    const QByteArray now = lines.join('\n').toUtf8();
+    if (now == kept_) return;
+    kept_ = now;
+    desk_.kept.put("restart", now, kPlacesSpan);
+}
+
+bool RestartPage::bringBack() {
+    if (back_) return true;
+    const auto piece = desk_.kept.get("restart", kPlacesSpan);
+    if (!piece) return false;
+    back_ = true, kept_ = *piece;
+    for (const QString& line : QString::fromUtf8(*piece).split('\n')) {
+        const unsigned channel = line.section('\t', 0, 0).toUInt();
+        if (channel < 1 || channel > kMaxChannels || line.count('\t') < 4) continue;
+        at(channel) = {line.section('\t', 4).toStdString(), line.section('\t', 1, 1).toUInt(), line.section('\t', 2, 2).toLongLong(), line.section('\t', 3, 3).toLongLong()};
+    }
+    return true;
+}
+
 void RestartPage::follow() {
+    if (!bringBack()) return;
+    bool runs = false;
     for (const unsigned channel : desk_.live.channels()) {
         const ChannelStatus& status = desk_.live.channel(channel);
         const ChannelView& view = desk_.live.view(channel);
         const auto state = static_cast<ChannelState>(status.state);
+        runs |= state == ChannelState::Running || state == ChannelState::Waiting;
         if (view.programs.empty() || status.file != 0 || status.block < 0 || status.line == 0) continue;
         if (state == ChannelState::Absent || state == ChannelState::Reset || state == ChannelState::Ended || state == ChannelState::Dead) continue;
         Stood& one = at(channel);
         if (one.program != view.programs[0]) one = {view.programs[0], 0, -1, -1};
         one.line = status.line, one.block = status.block;
     }
+    if (const qint64 now = QDateTime::currentMSecsSinceEpoch(); now >= keepAt_) keepAt_ = now + (runs ? kPlacesRunningMs : kPlacesMs), keep();
 }
 
-std::int64_t RestartPage::toolBlock(const Stood& stood) {
-    static const QRegularExpression kCalls("^\\s*/?\\d?\\s*N(\\d+)[^(;]*T\\s*[=\\d\"]");
-    for (std::uint32_t line = stood.line; line >= 1; --line)
-        if (const auto found = kCalls.match(texts_.line(stood.program, line)); found.hasMatch()) return found.captured(1).toLongLong();
-    return -1;
+std::optional<std::int64_t> toolCallOf(const QString& line) {
+    static const QRegularExpression kText("\"[^\"]*\"?"), kComment("\\([^)]*\\)?|;.*"), kCall("^\\s*/?\\d?\\s*N(\\d+)(?:.*[^A-Z_$])?T\\s*[=\\d\"]", QRegularExpression::CaseInsensitiveOption);
+    if (!line.contains('T', Qt::CaseInsensitive)) return std::nullopt;
+    QString bare = line;
+    bare.replace(kText, "\"").remove(kComment);
+    const auto found = kCall.match(bare);
+    return found.hasMatch() ? std::optional<std::int64_t>(found.captured(1).toLongLong()) : std::nullopt;
+}
+
+// Asked with each frame, in programs of many thousand lines: only what has not been looked at is.
+std::int64_t RestartPage::toolBlock(Stood& stood) {
+    if (stood.program.empty()) return -1;
+    auto& known = stood.tool;
+    const int count = texts_.count(stood.program);
+    std::uint32_t first = 1;
+    if (count == known.count && stood.line >= known.line) {
+        if (stood.line <= known.from) return known.block;
+        first = known.from + 1;
+    } else {
+        known = {};
+    }
+    for (std::uint32_t line = stood.line; line >= first; --line)
+        if (const auto block = toolCallOf(texts_.line(stood.program, line))) {
+            known.block = *block, known.line = line;
+            break;
+        }
+    known.from = stood.line, known.count = count;
+    return known.block;
 }
 
 void RestartPage::restart() {

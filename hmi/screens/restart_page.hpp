@@ -8,6 +8,9 @@
 
 namespace polyturn::hmi {
 
+// The block's number of a line that calls a tool: T of a text or a comment calls none.
+std::optional<std::int64_t> toolCallOf(const QString& line);
+
 class RestartPage : public QWidget {
 public:
     RestartPage(Desk& desk, QWidget* parent);
@@ -20,6 +23,7 @@ public:
     NumberPad& pad() { return *pad_; }
     std::int64_t wanted(unsigned channel) const { return at(channel).wanted; }
     std::int64_t stood(unsigned channel) const { return at(channel).block; }
+    void keep();                   // the places, over a restart of the screens
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -30,8 +34,15 @@ private:
         std::uint32_t line = 0;
         std::int64_t block = -1;   // executed last in the main program
         std::int64_t wanted = -1;  // -1: this channel does not restart
+        // What toolBlock() has found, looking back from a line of a text of so many lines.
+        struct {
+            std::uint32_t from = 0, line = 0;
+            int count = -1;
+            std::int64_t block = -1;
+        } tool = {};
     };
-    std::int64_t toolBlock(const Stood& stood);   // the last T before it; -1 none
+    std::int64_t toolBlock(Stood& stood);   // the last T before it; -1 none
+    bool bringBack();
     Stood& at(unsigned channel) { return stood_[channel - 1]; }
     const Stood& at(unsigned channel) const { return stood_[channel - 1]; }
     void restart();
@@ -43,6 +54,9 @@ private:
     NumberPad* pad_;
     ProgramText texts_;
     std::array<Stood, kMaxChannels> stood_{};
+    bool back_ = false;            // what was kept has been read
+    QByteArray kept_;
+    qint64 keepAt_ = 0;
 };
 
 }  // namespace polyturn::hmi

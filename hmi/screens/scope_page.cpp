@@ -232,9 +232,10 @@ void ScopePage::save() {
     const QString name = QDir(folder).filePath("scope-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + ".csv");
     std::array<std::string, kScopeTraces> names;
     for (std::size_t i = 0; i < kScopeTraces; ++i) names[i] = choice_.kind[i] ? titleOf(i).replace(',', ' ').toStdString() : std::string();
-    // The place may be slow: a worker writes.
+    // The place may be slow, and a minute of ticks makes megabytes of text: a worker does both.
     exporting_ = name;
-    writing_.start([name, text = QByteArray::fromStdString(record_.csv(names, desk_.live.seconds(1)))](const std::atomic<bool>& stop) {
+    writing_.start([name, names, samples = record_.samples(), tick_s = desk_.live.seconds(1)](const std::atomic<bool>& stop) {
+        const QByteArray text = QByteArray::fromStdString(ScopeRecord::csv(samples, names, tick_s));
         FileProgress progress;
         return writeWhole(name, text, progress, stop);
     });

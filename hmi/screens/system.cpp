@@ -63,7 +63,7 @@ void System::fill() {
     files_->ofMachine = page_ == Page::Users;
     if (page_ == Page::Users) {
         files_->columns = {{word("User"), 2}, {word("Level"), 1.4}};
-        files_->nothing = word("There are no users: everybody may do everything. The first one must be a maker.");
+        sayWhyNoUsers();
         files_->rows = [this] { return static_cast<int>(users_.size()); };
         files_->cell = [this](int row, int column) -> Table::Cell {
             const User& one = users_[static_cast<std::size_t>(row)];
@@ -164,9 +164,14 @@ void System::look() {
     desk_.requests.ask({{"do", "who"}}, [this](const Answer& answer) { who_ = answer.object.value("name").toString(), whoLevel_ = answer.object.value("level").toString(); }, true);
     desk_.requests.store({{"do", "users.list"}}, [this](const Answer& answer) {
         users_.clear();
+        usersHidden_ = !answer.ok;
+        if (page_ == Page::Users) sayWhyNoUsers();
         for (const auto& one : answer.object.value("users").toArray()) users_.push_back({one.toObject().value("name").toString(), one.toObject().value("level").toString(), one.toObject().value("locked").toBool()});
     }, true);
 }
+
+// The list is refused to who has not logged in: there are users then, and not everybody may do everything.
+void System::sayWhyNoUsers() { files_->nothing = usersHidden_ ? word("Log in to see the users.") : word("There are no users: everybody may do everything. The first one must be a maker."); }
 
 void System::logIn() {
     if (name_.isEmpty()) return;

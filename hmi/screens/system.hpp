@@ -75,6 +75,8 @@ private:
     QString wanted_;                  // to be chosen when the folder has been read
     QJsonArray preview_;
     std::vector<User> users_;
+    bool usersHidden_ = false;       // from who has not logged in
+    void sayWhyNoUsers();
     QString who_, whoLevel_, name_, password_;
     bool inPassword_ = false;
     int newLevel_ = 0;             // of the next new user

@@ -124,9 +124,21 @@ void Tools::rebuilt() {
 void Tools::restore(const QString& state) {
     const QStringList parts = state.split(' ');
     if (parts.size() < 2) return;
-    if (parts.size() > 2) presetter_->setPin(parts[2]);
+    if (parts.size() > 2 && parts[2] != "-") presetter_->setPin(parts[2]);
+    if (parts.size() > 4) {
+        tool_ = parts[3].toInt();
+        filter_ = static_cast<Filter>(std::clamp(parts[4].toInt(), 0, static_cast<int>(Filter::Replace)));
+        search_ = state.section(' ', 5);
+    }
     picture_->show(parts[1].toInt());
     if (parts[0].toInt() >= 0 && parts[0].toInt() <= static_cast<int>(Page::Presetter)) showPage(static_cast<Page>(parts[0].toInt()));
+    if (page_ != Page::Magazine || !chosen()) return;
+    const std::int32_t wanted = tool_;
+    picture_->focused = chosen()->magazine == picture_->shown();   // else keys speak of the place that the picture begins with
+    if (picture_->focused) picture_->choose(chosen()->pot);
+    tool_ = wanted;
+    fillList();
+    if (const int at = rowOf(wanted); at >= 0) list_->choose(at);
 }
 
 std::vector<Sheet*> Tools::sheets() {

@@ -42,7 +42,8 @@ public:
     bool key(QKeyEvent* event) override;
     void letGo() override { picture_->carried = 0; }
     bool typing() const override { return true; }
-    QString state() const override { return QString("%1 %2 %3").arg(static_cast<int>(page_)).arg(picture_->shown()).arg(presetter_->pin()); }
+    // The search comes last: it may have blanks. A dash: no pin.
+    QString state() const override { return QString("%1 %2 %3 %4 %5 ").arg(static_cast<int>(page_)).arg(picture_->shown()).arg(presetter_->pin().isEmpty() ? QString("-") : presetter_->pin()).arg(tool_).arg(static_cast<int>(filter_)) + search_; }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return kPages + std::max(0, static_cast<int>(magazines().size()) - 1) + 1; }   // the other magazines, what the presetter proposes

@@ -159,6 +159,11 @@
         <translation>%1: gradiens</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1: no program is selected</source>
+        <translation>%1: nincs kiválasztott program</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: periodic</source>
         <translation>%1: periodikus</translation>
@@ -2097,6 +2102,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Log in</source>
         <translation>Belépés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log in to see the users.</source>
+        <translation>Jelentkezzen be a felhasználók megtekintéséhez.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -5269,6 +5279,11 @@
         <translation>nincs program</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>no program is selected</source>
+        <translation>nincs kiválasztott program</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>no ref.</source>
         <translation>nincs ref.</translation>
@@ -5509,6 +5524,11 @@
         <translation>s</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>select one on the page of programs</source>
+        <translation>válasszon egyet a programok oldalán</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>beállító</translation>
@@ -5742,6 +5762,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>várja meg, míg a tengelyek megállnak</translation>
+    </message>
+    <message>
+        <location filename="../widgets/number_pad.cpp"/>
+        <source>wanted: a whole number</source>
+        <translation>egész szám kell</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>

@@ -159,6 +159,11 @@
         <translation>%1: градиент</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1: no program is selected</source>
+        <translation>%1: программа не выбрана</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: periodic</source>
         <translation>%1: периодическая</translation>
@@ -2097,6 +2102,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Log in</source>
         <translation>Войти</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log in to see the users.</source>
+        <translation>Войдите, чтобы увидеть пользователей.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -5269,6 +5279,11 @@
         <translation>нет программы</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>no program is selected</source>
+        <translation>программа не выбрана</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>no ref.</source>
         <translation>нет нуля</translation>
@@ -5509,6 +5524,11 @@
         <translation>с</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>select one on the page of programs</source>
+        <translation>выберите её на странице программ</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>наладчик</translation>
@@ -5742,6 +5762,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>подождите остановки осей</translation>
+    </message>
+    <message>
+        <location filename="../widgets/number_pad.cpp"/>
+        <source>wanted: a whole number</source>
+        <translation>нужно целое число</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>

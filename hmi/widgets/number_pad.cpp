@@ -15,9 +15,37 @@ constexpr std::array<const char*, 20> kKeys{"7", "8", "9", "/", "<", "4", "5", "
 constexpr int kInput = 100, kAdd = 101;
 
 double counted(const NumberPad::Field& field) { return std::isnan(field.present) ? 0.0 : field.present; }   // what is added to
-QString presentText(const NumberPad::Field& field) { return std::isnan(field.present) ? QString::fromUtf8("–") : lengthText(field.present, field.decimals); }
+QString padNumber(const NumberPad::Field& field, double value) { return field.bits && value >= 0 && value <= 255 ? bitDigits(static_cast<unsigned>(value)) : lengthText(value, field.decimals); }
+QString presentText(const NumberPad::Field& field) { return std::isnan(field.present) ? QString::fromUtf8("–") : padNumber(field, field.present); }
+
+// The control reads 00000011 of a parameter of bits so on every other way: as typed here it must not become eleven.
+std::optional<double> patternOf(const QString& text) {
+    bool read = false;
+    const unsigned pattern = text.size() == 8 ? text.toUInt(&read, 2) : 0;
+    return read && text[0].isDigit() ? std::optional<double>(pattern) : std::nullopt;
+}
 
 }  // namespace
+
+QString bitDigits(unsigned bits) { return QString("%1").arg(bits & 0xffu, 8, 2, QChar('0')); }
+
+std::optional<Entry> NumberPad::entry() const {
+    if (const auto now = field ? field() : std::nullopt; now && now->bits)
+        if (const auto pattern = patternOf(text_)) return Entry{false, *pattern};
+    return calculate(text_.toStdString());
+}
+
+std::optional<double> NumberPad::result(const Field& now, bool added) const {
+    const auto typed = entry();
+    if (!typed) return std::nullopt;
+    const double value = added ? counted(now) + typed->value : typed->over(counted(now));
+    return now.decimals == 0 && value != std::floor(value) ? std::nullopt : std::optional(value);   // rounded in silence it would be another number than the typed one
+}
+
+bool NumberPad::ready() const {
+    const auto now = field ? field() : std::nullopt;
+    return now && result(*now, false);
+}
 
 void NumberPad::clear() { text_.clear(), refresh(); }
 
@@ -28,11 +56,10 @@ void NumberPad::type(const QString& text) {
 
 void NumberPad::enter(bool added) {
     const auto now = field ? field() : std::nullopt;
-    const auto typed = entry();
-    if (!now || !typed || !onInput) return;
-    const double value = added ? counted(*now) + typed->value : typed->over(counted(*now));
+    const auto value = now ? result(*now, added) : std::nullopt;
+    if (!value || !onInput) return;
     text_.clear();
-    onInput(value);
+    onInput(*value);
     refresh();
 }
 
@@ -66,14 +93,16 @@ void NumberPad::compose(Writer& w) {
     w.frame(line, text_.isEmpty() ? t.edge : t.accent, px(6), text_.isEmpty() ? 1 : px(2));
     const auto typed = entry();
     w.data(line.adjusted(px(10), 0, -px(10), 0), text_ + QString::fromUtf8("▏"), lettering(21, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
-    const QRectF result(px(12), px(80), wide - px(24), px(24));
+    const auto becomes = now ? result(*now, false) : std::nullopt;
+    const QRectF below(px(12), px(80), wide - px(24), px(24));
     if (now && text_.isEmpty()) {
-        w.text(result, QString("%1 %2").arg(presentText(*now), now->unit), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        w.text(below, QString("%1 %2").arg(presentText(*now), now->unit), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+    } else if (becomes) {
+        w.text(below, QString::fromUtf8("%1 → %2 %3").arg(presentText(*now), padNumber(*now, *becomes), now->unit), lettering(15, true), t.good, Qt::AlignRight | Qt::AlignVCenter);
     } else if (now && typed) {
-        w.text(result, QString::fromUtf8("%1 → %2 %3").arg(presentText(*now), lengthText(typed->over(counted(*now)), now->decimals), now->unit), lettering(15, true), t.good,
-               Qt::AlignRight | Qt::AlignVCenter);
+        w.text(below, word("wanted: a whole number"), lettering(15), t.warn, Qt::AlignRight | Qt::AlignVCenter);
     } else if (!text_.isEmpty()) {
-        w.text(result, word("not a number yet"), lettering(15), t.warn, Qt::AlignRight | Qt::AlignVCenter);
+        w.text(below, word("not a number yet"), lettering(15), t.warn, Qt::AlignRight | Qt::AlignVCenter);
     }
     const double top = px(108), foot = px(54);
     const int rows = static_cast<int>(kKeys.size()) / kColumns;
@@ -89,7 +118,7 @@ void NumberPad::compose(Writer& w) {
                key[0].isDigit() || key == "." ? t.text : t.accent, Qt::AlignCenter);
         w.hit(box, static_cast<int>(i));
     }
-    const bool ready = now && typed;
+    const bool ready = becomes.has_value();
     const double half = (wide - px(24) - gap) / 2;
     for (int i = 0; i < 2; ++i) {
         const QRectF box(px(12) + i * (half + gap), high - foot - px(6), half, foot);

@@ -10,6 +10,8 @@ class QKeyEvent;
 
 namespace polyturn::hmi {
 
+QString bitDigits(unsigned bits);   // #7 to #0, as parameter files and the command line have them
+
 class NumberPad : public Sheet {
 public:
     explicit NumberPad(QWidget* parent) : Sheet(parent) {}
@@ -17,7 +19,8 @@ public:
     struct Field {
         QString title, unit;
         double present = 0;       // NaN: nothing stands there
-        unsigned decimals = 3;
+        unsigned decimals = 3;    // 0: a whole number, and nothing else is taken
+        bool bits = false;        // of a parameter: shown as the digits #7 to #0, and eight digits of 0 and 1 are read so
     };
     // What the number is for; empty: nothing is chosen.
     std::function<std::optional<Field>()> field;
@@ -28,13 +31,15 @@ public:
     bool key(QKeyEvent* event);               // characters of numbers, Enter, Backspace, Escape
     void type(const QString& text);           // as if typed
     void enter(bool added);                   // takes over; added: to what stands there, however it was typed
-    std::optional<Entry> entry() const { return calculate(text_.toStdString()); }
+    std::optional<Entry> entry() const;       // what is typed, as the field reads it
+    bool ready() const;                       // it can be taken over
 
 protected:
     void compose(Writer& w) override;
     void touched(int number) override;
 
 private:
+    std::optional<double> result(const Field& now, bool added) const;   // nothing: it is not taken
     QString text_;
 };
 

@@ -291,6 +291,27 @@ void Sheet::forgetTouch() {
     if (pressed_ >= 0) released(std::exchange(pressed_, -1));
 }
 
+void FreeSheet::forgetTouch() { finger_.reset(), Sheet::forgetTouch(); }
+
+void FreeSheet::mousePressEvent(QMouseEvent* event) {
+    if (onScroll) finger_ = event->position().y();
+    Sheet::mousePressEvent(event);
+}
+
+void FreeSheet::mouseMoveEvent(QMouseEvent* event) {
+    if (!finger_ || !onScroll) return;
+    const double way = *finger_ - event->position().y();
+    finger_ = event->position().y();
+    onScroll(way);
+}
+
+void FreeSheet::mouseReleaseEvent(QMouseEvent* event) { finger_.reset(), Sheet::mouseReleaseEvent(event); }
+
+void FreeSheet::wheelEvent(QWheelEvent* event) {
+    if (!onScroll) return event->ignore();
+    onScroll(-event->angleDelta().y() / 120.0 * px(72));   // a click: three rows
+}
+
 std::vector<QString> Sheet::shortened() const {
     std::vector<QString> out;
     for (const Item& item : items_)

@@ -6,6 +6,7 @@
 #pragma once
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "hmi/widgets/theme.hpp"
@@ -99,11 +100,20 @@ public:
     using Sheet::Sheet;
     std::function<void(Writer&)> onCompose;
     std::function<void(int)> onTouched, onReleased;
+    std::function<void(double)> onScroll;   // by so many pixels towards the end: a finger that drags, the wheel
+    void forgetTouch() override;
 
 protected:
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
     void compose(Writer& w) override { if (onCompose) onCompose(w); }
     void touched(int number) override { if (onTouched) onTouched(number); }
     void released(int number) override { if (onReleased) onReleased(number); }
+
+private:
+    std::optional<double> finger_;          // where it was last, while it is down
 };
 
 }  // namespace polyturn::hmi

@@ -11,6 +11,7 @@ public:
     std::function<void()> onBackspace, onEnter;
     QString enterText;             // of the Enter key; empty: «Enter»
     bool capitals = false;         // only capital letters: programs
+    static constexpr int kShift = 1000;   // its number for a touch
     int hitOf(QChar key) const;    // for tests; -1: no such key now
 
 protected:
@@ -18,6 +19,7 @@ protected:
     void touched(int number) override;
 
 private:
+    static QChar shifted(QChar key);
     bool shift_ = false;
 };
 

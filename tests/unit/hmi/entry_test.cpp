@@ -109,6 +109,27 @@ TEST_F(Entry, ATextOfAParameterIsChangedByTouch) {
     EXPECT_TRUE(waitFor([&] { return params::get_text(live().table(), params::pt_program_folders, 1) == "sub"; })) << params::get_text(live().table(), params::pt_program_folders, 1);
 }
 
+// MSG("..."), $AA_IM, >= are written by touch too: shift gives the keys of digits and signs another one, which stands on them.
+TEST_F(Entry, SignsOfProgramsAreTypedByTouch) {
+    for (const bool capitals : {false, true}) {
+        QString typed;
+        TextQuestion question{"x", {}, [&](const QString& text) { typed = text; }, {}};
+        question.capitals = capitals;
+        window->desk().ask(question);
+        TextPad& pad = window->entry().pad();
+        Operator hand(*window);
+        for (const char key : {'2', '4', '5', '<', '1', '7', '8', '/', '3'}) {
+            hand.touch(&pad, TextPad::kShift);
+            hand.touch(&pad, pad.hitOf(key));
+        }
+        hand.touch(&pad, pad.hitOf('2'));
+        for (const char* sign : {"\"", "$", "%", ">", "!", "&", "'", "?", "@"}) EXPECT_TRUE(standsOn({&pad}, sign)) << sign;
+        EXPECT_TRUE(pad.overlapping().empty());
+        hand.key(Qt::Key_Return);
+        EXPECT_EQ(typed, QString("\"$%>!&'?@2"));
+    }
+}
+
 TEST(EntrySources, NoFieldIsDrawnByHand) {
     for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());

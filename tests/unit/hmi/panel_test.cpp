@@ -5,6 +5,7 @@
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/alarms.hpp"
 #include "hmi/screens/diagnosis.hpp"
+#include "hmi/screens/manual.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/parameters.hpp"
 #include "hmi/screens/system.hpp"
@@ -260,6 +261,75 @@ TEST_F(PanelTasks, BitsShowAllOfTheirMeanings) {
         now.pad().clear();
     }
     window->setTongue(Tongue::English);
+}
+
+// After a crash or with another theme each screen stands where it stood.
+TEST_F(PanelTasks, EachScreenComesBackAsItWas) {
+    Operator hand(*window);
+    const auto again = [&] { window->setDark(false), frames(*window), window->setDark(true), frames(*window); };
+    hand.screen("parameters");
+    screenOf<Parameters>().find("N0304");
+    hand.soft("Compensation tables");
+    again();
+    EXPECT_TRUE(standsOn(screenOf<Parameters>().sheets(), "Compensation tables"));
+    hand.soft("Compensation tables");
+    hand.soft("History");
+    again();
+    EXPECT_TRUE(standsOn(screenOf<Parameters>().sheets(), "Changes of N0304"));
+    hand.soft("History");
+    frames(*window);
+    EXPECT_GE(screenOf<Parameters>().table().rows(), 4);
+    screenOf<Manual>().typeMdi("G0 X100 Z2");
+    again();
+    EXPECT_TRUE(screenOf<Manual>().state().endsWith(" G0 X100 Z2")) << screenOf<Manual>().state().toStdString();
+    screenOf<Manual>().typeMdi({});
+    screenOf<Parameters>().find({});
+}
+
+// As the command line and files write them; the rows of the bits keep their room while somebody types.
+TEST_F(PanelTasks, EightDigitsAreBits) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    Parameters& screen = screenOf<Parameters>();
+    screen.find("N2905");
+    frames(*window);
+    const auto value = [&] { return live().table().numbers[params::find("N2905")->first_slot]; };
+    const double before = value();
+    const int room = screen.detail().height();
+    hand.type("00000011");
+    frames(*window);
+    EXPECT_TRUE(screen.pad().isVisible());
+    EXPECT_EQ(screen.detail().height(), room);
+    EXPECT_FALSE(screen.pad().geometry().intersects(screen.table().geometry()));
+    EXPECT_FALSE(screen.pad().geometry().intersects(screen.detail().geometry()));
+    hand.key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return value() == 3; })) << value();
+    frames(*window);
+    EXPECT_EQ(screen.table().cell(0, 2).text, QString("00000011"));
+    hand.type("4"), hand.key(Qt::Key_Return);                 // and a number is a number
+    ASSERT_TRUE(waitFor([&] { return value() == 4; })) << value();
+    hand.soft("Undo"), hand.soft("Undo");
+    ASSERT_TRUE(waitFor([&] { return value() == before; })) << value();
+}
+
+// 50/3 is no whole number: rounded in silence it would be another one than was typed.
+TEST_F(PanelTasks, AWholeNumberIsNotRounded) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    Parameters& screen = screenOf<Parameters>();
+    const auto whole = std::find_if(params::rows().begin(), params::rows().end(), [](const params::Row& row) { return row.type == params::Type::Int && row.scope == params::Scope::Global; });
+    ASSERT_NE(whole, params::rows().end());
+    screen.find(fromView(whole->number));
+    frames(*window);
+    const double before = live().table().numbers[whole->first_slot];
+    hand.type("50/3");
+    EXPECT_FALSE(screen.pad().ready());
+    EXPECT_TRUE(standsOn({&screen.pad()}, "wanted: a whole number"));
+    hand.key(Qt::Key_Return);
+    frames(*window, 300);
+    EXPECT_EQ(screen.pad().text(), QString("50/3"));
+    EXPECT_EQ(live().table().numbers[whole->first_slot], before);
+    screen.pad().clear();
 }
 
 TEST_F(PanelTasks, ABitIsTurnedOverByKeysAlone) {

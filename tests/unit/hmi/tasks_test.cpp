@@ -1,6 +1,8 @@
 // What an operator does all day, driven by touches and keys only, against a real controller with a running two-channel job. Each task
 // has a most of actions.
 
+#include <QWheelEvent>
+
 #include "hmi/screens/manual.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/programs.hpp"
@@ -234,6 +236,82 @@ TEST_F(Tasks, MeasureAToolByItsTouch) {
         return 2 * axis.act - zero - 52.48 - store.offsets[5].wear[0];   // X is shown as a diameter
     };
     EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[5].geometry[0] - stands()) < 1e-3; })) << live().store(1).offsets[5].geometry[0] << " is not " << stands();
+}
+
+// A controller in which nothing has been selected yet.
+class FreshTasks : public Tasks {};
+
+// Nothing that would only be interrupted is started, and what is missing is said before.
+TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
+    const QString program = QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc";
+    EXPECT_TRUE(lacksProgram(live(), 1) && lacksProgram(live(), 2));
+    EXPECT_TRUE(startNeeds(live(), 1).join(' ').contains("no program is selected")) << startNeeds(live(), 1).join(' ').toStdString();
+    EXPECT_TRUE(startAll(live()).isEmpty());
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Start all");
+    frames(*window, 300);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "L1 L2: no program is selected"));
+    EXPECT_EQ(state(1), ChannelState::Reset);
+    ASSERT_TRUE(g_controller->press("select L2=" + program));
+    ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 2); }));
+    EXPECT_EQ(startAll(live()), QStringList{"cycle_start L2"});
+    ASSERT_TRUE(g_controller->press("select L1=" + program));
+    ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 1); }));
+    EXPECT_EQ(startAll(live()), QStringList{"cycle_start"});
+}
+
+// By a finger and the wheel too, and a bar shows that there is more.
+TEST_F(Tasks, TheSynchronisedViewIsScrolledByTouch) {
+    Programs& programs = screenOf<Programs>();
+    programs.restore(QString("0|") + POLYTURN_SOURCE_DIR + "/examples/jobs/shaft/shaft.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Check, waits");
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }));
+    frames(*window, 100);
+    FreeSheet& view = programs.picture();
+    const QPoint from(view.width() / 2, view.height() / 2);
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from - QPoint(0, i * px(24)));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from - QPoint(0, 5 * px(24)));
+    EXPECT_EQ(programs.firstRow(), 5);
+    const auto turn = [&](int by) {
+        QWheelEvent wheel(QPointF(from), view.mapToGlobal(QPointF(from)), {}, QPoint(0, by), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&view, &wheel);
+    };
+    turn(-120);
+    EXPECT_EQ(programs.firstRow(), 8);
+    turn(120), turn(120), turn(120);
+    EXPECT_EQ(programs.firstRow(), 0);
+}
+
+TEST(RestartPlaces, ATextOrACommentCallsNoTool) {
+    EXPECT_EQ(toolCallOf("N20 T0101 M6"), 20);
+    EXPECT_EQ(toolCallOf("/2 N30 G97 S800 T3"), 30);
+    EXPECT_EQ(toolCallOf("N40 T=\"CUT 1\" D1"), 40);
+    EXPECT_EQ(toolCallOf("n50t5"), 50);
+    for (const char* line : {"N20 MSG(\"CUT 1\")", "N20 #MSG [\"CUT 1\"]", "N20 MSG \"CUT 1\"", "N20 G1 X4 (T5 COMES)", "N20 G1 ; T5", "N20 GOT1=5", "T5", "N20 G4 F2"}) EXPECT_FALSE(toolCallOf(line)) << line;
+}
+
+// Another theme makes the screens anew: the places are no less there.
+TEST_F(Tasks, PlacesOfARestartOutlastTheTheme) {
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).block > 60 && live().channel(1).file == 0; }));
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset && state(2) == ChannelState::Reset; }));
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Restart in the middle");
+    ASSERT_EQ(screenOf<Programs>().state().section('|', 0, 0), QString("3")) << screenOf<Programs>().state().toStdString();
+    hand.soft("All at their tools");
+    const std::int64_t stood = screenOf<Programs>().restartPage().stood(1);
+    ASSERT_GT(stood, 0);
+    window->setDark(false);
+    frames(*window);
+    EXPECT_EQ(screenOf<Programs>().restartPage().stood(1), stood);
+    EXPECT_EQ(screenOf<Programs>().restartPage().wanted(1), 20);
+    window->setDark(true);
 }
 
 // A tool breaks: reset, say that a new insert is in, go on where its tool was called.
