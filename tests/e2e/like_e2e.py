@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """`--like`: a private check or run on what a running controller has: its machine's folder, its tools, its values but not its counts."""
 import os
-import pathlib
 import shutil
 import subprocess
 import unittest
+from unittest import mock
 
 from polyturn_runner import SOURCE, LiveCase
 
@@ -24,7 +24,7 @@ class Like(LiveCase):
 
     def test_a_tool_loaded_by_name_is_there(self):
         self.start("N2900=00000001", "PT_LANGUAGE L1=sinumerik", "PT_TURRET_TIME L1=0.05")
-        for words in ("tools add name=CUT duplo=1 worn=1 D1.DP1=500 D1.DP2=3 D1.DP4=10", "tools add name=CUT duplo=2 D1.DP1=500 D1.DP2=3 D1.DP4=30 D2.DP1=500 D2.DP4=31", "tools add name=DRILL D1.DP1=200 D1.DP4=60", "tools load 1 1 3",
+        for words in ("tools add name=CUT duplo=1 worn=1 D1.DP1=500 D1.DP2=3 D1.DP4=10", "tools add name=CUT duplo=2 D1.DP1=500 D1.DP2=3 D1.DP4=30 D2.DP1=500 D2.DP4=31", "tools add name=GROOVE D1.DP1=520 D1.DP2=3 D1.DP4=60", "tools load 1 1 3",
                       "tools load 2 1 7", "tools load 3 1 5", "tools place 1 9 locked=1"):
             self.do(*words.split())
         program = self.write("part.mpf", 'G18 T="CUT" D1\nG94 G0 X80 Z20\nG1 Z10 F6000\nT5 D1\nG0 Z100\nM30\n')
@@ -63,10 +63,9 @@ class Like(LiveCase):
         (share / "machine.params").write_text("N0001=nonsense\n")
         program = self.write("part.nc", "G54\nG0 X50. Z5.\nM30\n")
         for folder in (self.folder / "share", self.folder / "nothing"):
-            os.environ["POLYTURN_SHARE"] = str(folder)
-            self.addCleanup(os.environ.pop, "POLYTURN_SHARE", None)
-            for done in (self.check(program), self.run_virtual(program)):
-                self.assertEqual(done.status, 0, done.said())
+            with mock.patch.dict(os.environ, {"POLYTURN_SHARE": str(folder)}):
+                for done in (self.check(program), self.run_virtual(program)):
+                    self.assertEqual(done.status, 0, done.said())
 
     def test_a_virtual_run_counts_its_own_parts(self):
         self.start("PT_LANGUAGE L1=fanuc", "N2308 L1=3", "N2307 L1=4")
