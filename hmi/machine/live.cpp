@@ -322,9 +322,11 @@ bool Live::fromZero(unsigned channel, unsigned place, double machine, double& ou
 void Live::readTaken(unsigned number) {
     constexpr double kSame = 1e-6;   // sums of positions differ in their last digits
     ChannelView& view = views_[number - 1];
-    const bool rest = rests(number), began = view.rested && !rest;
+    const bool rest = rests(number);
+    view.rested |= rest;
+    if (!view.known || (view.picture.flags & kPictureNoShift)) return;   // a program that has begun before its first picture has come counts as begun with it
+    const bool began = view.rested && !rest;
     view.rested = rest;
-    if (!view.known || (view.picture.flags & kPictureNoShift)) return;
     const BlockPicture& p = view.picture;
     const bool anew = !view.zeroKnown || began || p.zero_row != view.zeroRow || (rest && p.serial != view.zeroSerial);
     view.zeroKnown = true, view.zeroRow = p.zero_row, view.zeroSerial = p.serial;

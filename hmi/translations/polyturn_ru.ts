@@ -3116,7 +3116,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
-        <translation>Ускор. ход</translation>
+        <translation>Быстро</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

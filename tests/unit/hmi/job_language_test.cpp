@@ -175,14 +175,16 @@ TEST_F(JobLanguage, TheEditorChecksItsTextWithinTheJob) {
     EditorPage& editor = programs.editor();
     ASSERT_TRUE(waitFor([&] { return editor.file() == folder.filePath("TWO.nc") && !editor.opening() && editor.checking(); }));
     ASSERT_TRUE(waitFor([&] { return !editor.checking(); }));
-    EXPECT_TRUE(editor.faults().empty()) << (editor.faults().empty() ? "" : editor.faults()[0].text.toStdString());
+    // A warning stays that another channel starts the spindle; alone it is an alarm.
+    for (const auto& fault : editor.faults()) EXPECT_FALSE(fault.error) << fault.text.toStdString();
     // The text in the editor, not the file: its wait is another one now.
     QTextCursor wait(editor.edit().document()->findBlockByNumber(1));
     wait.movePosition(QTextCursor::EndOfBlock);
     editor.edit().setTextCursor(wait);
     QTest::keyClick(&editor.edit(), Qt::Key_Backspace);
     QTest::keyClicks(&editor.edit(), "1");
-    EXPECT_TRUE(waitFor([&] { return !editor.checking() && !editor.faults().empty(); }));
+    const auto wrong = [&] { return std::any_of(editor.faults().begin(), editor.faults().end(), [](const auto& fault) { return fault.error; }); };
+    EXPECT_TRUE(waitFor([&] { return !editor.checking() && wrong(); }));
 }
 
 // A program that no job has is checked alone, in the channel that keys speak to.
