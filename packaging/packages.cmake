@@ -28,7 +28,10 @@ foreach(component panel office)
       file(CREATE_LINK ../${home}/bin/${program} \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/${program}\" SYMBOLIC)" COMPONENT ${component})
   endforeach()
 endforeach()
-install(FILES packaging/systemd/polyturn@.service packaging/systemd/polyturn-hmi@.service DESTINATION lib/systemd/system COMPONENT panel)
+install(FILES packaging/systemd/polyturn@.service packaging/systemd/polyturn-hmi@.service packaging/systemd/polyturn-stick@.service DESTINATION lib/systemd/system COMPONENT panel)
+install(PROGRAMS packaging/panel/mount_stick DESTINATION ${home} COMPONENT panel)
+install(FILES packaging/panel/50-polyturn.rules DESTINATION share/polkit-1/rules.d COMPONENT panel)
+install(FILES packaging/panel/70-polyturn-sticks.rules DESTINATION lib/udev/rules.d COMPONENT panel)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME polyturn)
@@ -47,7 +50,10 @@ set(CPACK_DEBIAN_PANEL_PACKAGE_NAME polyturn-panel)
 set(CPACK_DEBIAN_OFFICE_PACKAGE_NAME polyturn-office)
 set(CPACK_DEBIAN_PANEL_PACKAGE_CONFLICTS polyturn-office)
 set(CPACK_DEBIAN_OFFICE_PACKAGE_CONFLICTS polyturn-panel)
-set(CPACK_DEBIAN_PANEL_PACKAGE_DEPENDS "passwd, fonts-roboto-unhinted, fonts-dejavu-core")
+# libqt6opengl6 has the plugin that draws on the whole panel without a display server (eglfs); nothing links it. polkitd, network-manager and
+# the time daemon are asked by the settings page, cups-client prints the setup sheet.
+set(CPACK_DEBIAN_PANEL_PACKAGE_DEPENDS "passwd, polkitd, udev, libqt6opengl6, fonts-roboto-unhinted, fonts-dejavu-core")
+set(CPACK_DEBIAN_PANEL_PACKAGE_RECOMMENDS "network-manager, systemd-timesyncd, cups-client")
 set(CPACK_DEBIAN_OFFICE_PACKAGE_DEPENDS "fonts-roboto-unhinted, fonts-dejavu-core")
 set(CPACK_DEBIAN_PANEL_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/deb/postinst;${PROJECT_SOURCE_DIR}/packaging/deb/prerm")
 set(CPACK_COMPONENT_PANEL_DESCRIPTION "Open controller for lathes with several turrets: the machine's computer

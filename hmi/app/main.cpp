@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QFile>
 #include <QScreen>
 #include <QStandardPaths>
 #include <cstdio>
@@ -9,8 +10,12 @@
 #include "hmi/app/main_window.hpp"
 #include "hmi/app/measure.hpp"
 #include "hmi/app/screenshots.hpp"
+#include "hmi/machine/computer_settings.hpp"
 
 int main(int argc, char** argv) {
+    // A panel without a display server reads its keyboard itself, and xkbcommon takes the layout from the environment.
+    if (QFile keyboard("/etc/default/keyboard"); qEnvironmentVariableIsEmpty("XKB_DEFAULT_LAYOUT") && keyboard.open(QIODevice::ReadOnly))
+        if (const QString layout = polyturn::hmi::layoutIn(QString::fromUtf8(keyboard.read(1 << 16))); !layout.isEmpty()) qputenv("XKB_DEFAULT_LAYOUT", layout.toUtf8());
     QApplication app(argc, argv);
     QApplication::setApplicationName("polyturn-hmi");
     QCommandLineParser parser;

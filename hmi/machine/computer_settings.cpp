@@ -82,6 +82,11 @@ QString maskOf(int prefix) {
     return QString("%1.%2.%3.%4").arg(bits >> 24).arg(bits >> 16 & 255).arg(bits >> 8 & 255).arg(bits & 255);
 }
 
+QString layoutIn(const QString& keyboard) {
+    static const QRegularExpression kLine("^\\s*XKBLAYOUT=[\"']?([a-z][a-z0-9,_-]*)[\"']?\\s*$", QRegularExpression::MultilineOption);
+    return kLine.match(keyboard).captured(1);
+}
+
 ComputerSettings::~ComputerSettings() {
     changed = {};
     for (QProcess* one : findChildren<QProcess*>()) one->disconnect(), one->kill(), one->waitForFinished(200);

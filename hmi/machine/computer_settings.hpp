@@ -45,5 +45,7 @@ private:
 bool ipv4(const QString& text);
 int prefixOf(const QString& mask);     // -1: no mask
 QString maskOf(int prefix);
+// The layouts that /etc/default/keyboard names (XKBLAYOUT="us,cz"; localectl writes them there); empty: none, or nothing that is a layout.
+QString layoutIn(const QString& keyboard);
 
 }  // namespace polyturn::hmi

@@ -221,7 +221,9 @@ std::vector<Place> places(const QString& mounts, const QStringList& configured) 
         const bool network = kNetwork.contains(words[2]);
         // Where desktops mount sticks; below /mnt only what hangs on a USB port: fixed disks are mounted there as well.
         const bool removable = !network && (path.startsWith("/media/") || path.startsWith("/run/media/") || (path.startsWith("/mnt/") && onUsb(words[0])));
-        if (network || removable) out.push_back({network ? words[0] : path.section('/', -1), path, network ? Place::Kind::Network : Place::Kind::Removable});
+        // A stick that is mounted when somebody looks stands here twice: as the place that waits for a look, and as what was found there.
+        const bool known = std::any_of(out.begin(), out.end(), [&](const Place& one) { return one.kind != Place::Kind::Configured && one.path == path; });
+        if ((network || removable) && !known) out.push_back({network ? words[0] : path.section('/', -1), path, network ? Place::Kind::Network : Place::Kind::Removable});
     }
     return out;
 }

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QProcess>
 #include <QTextBlock>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +19,10 @@
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
+namespace {
+constexpr int kPrinterPatience_ms = 30'000;   // a print server that is away for longer is not there
+}
+
 Programs::Programs(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), view_(new FreeSheet(this)), files_(new FilesPage(desk, this)), compare_(new ComparePage(desk, this)), restart_(new RestartPage(desk, this)), editor_(new EditorPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
@@ -120,8 +125,23 @@ void Programs::takePrint() {
     if (!done) return;
     if (desk_.keysChanged) desk_.keysChanged();
     if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->told()), Told::Refused);
-    const bool printer = QProcess::startDetached("lp", {printed_});
-    desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(printed_).fileName()) : word("Saved: %1").arg(QFileInfo(printed_).fileName()), Told::Good);
+    // lp answers at once: with the number of the print job, or with why there is none (no printer is set up, the server does not answer).
+    auto* lp = new QProcess(this);
+    const QString name = QFileInfo(printed_).fileName();
+    connect(lp, &QProcess::finished, this, [this, lp, name](int status, QProcess::ExitStatus how) {
+        const QString why = QString::fromLocal8Bit(lp->readAllStandardError()).section('\n', 0, 0).trimmed();
+        if (how == QProcess::NormalExit && status == 0) desk_.tell(word("Printed: %1").arg(name), Told::Good);
+        else desk_.tell(word("Saved: %1").arg(name) + ".  " + word("The printer refused it: %1").arg(why), Told::Note);
+        lp->deleteLater();
+    });
+    connect(lp, &QProcess::errorOccurred, this, [this, lp, name](QProcess::ProcessError error) {
+        if (error != QProcess::FailedToStart) return;   // finished tells the others
+        desk_.tell(word("Saved: %1").arg(name), Told::Good);
+        lp->deleteLater();
+    });
+    QTimer::singleShot(kPrinterPatience_ms, lp, [lp] { lp->kill(); });
+    lp->start("lp", {printed_});
+    lp->closeWriteChannel();
 }
 
 // In the language that the job beside it names, or of the channel in which it is selected; else of the channel that keys speak to.

@@ -132,6 +132,9 @@ TEST(Places, AreMountedSticksNetworksAndWhatIsConfigured) {
     EXPECT_EQ(all[1].kind, Place::Kind::Removable);
     EXPECT_EQ(all[2].kind, Place::Kind::Network);
     EXPECT_EQ(all[3].path, "/srv/pc");
+    const auto looked = places("systemd-1 /run/media/system/STICK autofs rw 0 0\n/dev/sdb1 /run/media/system/STICK vfat rw 0 0\n", {});
+    ASSERT_EQ(looked.size(), 1u) << "mounted at a look into it: one stick, two lines";
+    EXPECT_EQ(looked[0].name, "STICK");
     ASSERT_TRUE(keepPlace(folder.filePath("places"), "More", "/tmp"));
     EXPECT_EQ(places({}, {folder.filePath("places")}).size(), 2u);
     ASSERT_TRUE(keepPlace(folder.filePath("places"), "More", {}));

@@ -201,6 +201,15 @@ TEST(ComputerSettings, MasksAndAddresses) {
     EXPECT_FALSE(ipv4("192.168.1.256"));
 }
 
+TEST(ComputerSettings, TheKeyboardOfAPanelWithoutDisplayServer) {
+    EXPECT_EQ(layoutIn("# keyboard\nXKBMODEL=\"pc105\"\nXKBLAYOUT=\"us,cz\"\n"), "us,cz");
+    EXPECT_EQ(layoutIn("XKBLAYOUT=hu\n"), "hu") << "as localectl writes it";
+    EXPECT_EQ(layoutIn("#XKBLAYOUT=hu\n"), "");
+    EXPECT_EQ(layoutIn("XKBLAYOUT=\"\"\n"), "");
+    EXPECT_EQ(layoutIn("XKBLAYOUT=hu; rm\n"), "");
+    EXPECT_EQ(layoutIn(""), "");
+}
+
 TEST(CodeHelp, FindsThePlaceOfAWord) {
     struct Row { const char *line; int column; const char *language, *page, *find; };
     constexpr Row kRows[] = {

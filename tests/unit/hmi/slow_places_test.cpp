@@ -17,6 +17,7 @@
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/controller.hpp"
+#include "tests/unit/hmi/screen_checks.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -201,6 +202,29 @@ TEST_F(SlowPlaces, TheSetupSheetIsWrittenBesideAndCanBeStopped) {
     hand->soft("Print setup sheet");
     ASSERT_TRUE(waitFor([&] { return QFile::exists(folder.filePath("part-setup.pdf")); }));
     EXPECT_EQ(read("part-setup.pdf").left(5), "%PDF-");
+}
+
+// The programs of the printer are others: here one that takes a sheet, one that refuses it, none at all.
+TEST_F(SlowPlaces, WhatThePrinterSaysIsTold) {
+    write("part.job.toml", "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
+    programs().filesPage().readFolder(folder.path(), "part.job.toml");
+    ASSERT_TRUE(waitFor([&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
+    const QByteArray path = qgetenv("PATH");
+    ASSERT_TRUE(QDir(folder.path()).mkdir("bin"));
+    qputenv("PATH", folder.filePath("bin").toUtf8());
+    const auto printed = [&](const QByteArray& lp, const QString& told) {
+        if (!lp.isEmpty()) {
+            write("bin/lp", "#!/bin/sh\n" + lp);
+            ASSERT_TRUE(QFile::setPermissions(folder.filePath("bin/lp"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        }
+        QFile::remove(folder.filePath("part-setup.pdf"));
+        hand->soft("Print setup sheet");
+        EXPECT_TRUE(waitFor([&] { return standsOn(window->ownSheets(), told); })) << told.toStdString();
+    };
+    printed({}, "Saved: part-setup.pdf");
+    printed("case $1 in */part-setup.pdf) exit 0;; esac\nexit 9\n", "Printed: part-setup.pdf");
+    printed("echo 'lp: Error - No default destination.' >&2\nexit 1\n", "The printer refused it: lp: Error - No default destination.");
+    qputenv("PATH", path);
 }
 
 // Four megabytes at once: put in piece by piece, coloured where it is seen.
