@@ -2,19 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "ipc/image/segments.hpp"
 #include "ipc/machine/counters.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
-#include "ipc/image/segments.hpp"
 #include "ipc/params/registry.hpp"
+#include "kernel/supervisor/ask_verbs.hpp"
 #include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::supervisor {
@@ -62,11 +63,6 @@ void read_channel(const ChannelStore& store, const MachineConfig& machine, unsig
 
 std::string name_of(const ToolRow& row) { return {row.name.data(), ::strnlen(row.name.data(), row.name.size())}; }
 
-bool usable(const ToolRow& row) {
-    if (!(row.state & kToolEnabled) || (row.state & (kToolLocked | kToolBroken | kToolWorn))) return false;
-    return row.life <= 0 || static_cast<LifeKind>(row.life_kind) == LifeKind::None || row.counter < row.life;
-}
-
 text::ToolSetup setup_of(const ToolTable& tools, const ToolEdgeTable& edges, std::size_t index) {
     text::ToolSetup out;
     out.name = name_of(tools.rows[index]);
@@ -80,35 +76,20 @@ text::ToolSetup setup_of(const ToolTable& tools, const ToolEdgeTable& edges, std
     return out;
 }
 
-// As the search of tool management answers (toolmgmt/tools/search.hpp): a station means the tool that stands there, or a sister of its name
-// when that one is used up; what may not be used is called by no name. An empty station is a tool without name and edges.
-std::map<int, text::ToolSetup> tools_of_channel(const params::Table& table, unsigned channel, const ToolTable& tools, const ToolEdgeTable& edges, const ToolPlaceTable& places) {
-    const auto magazine = static_cast<std::int32_t>(params::get(table, params::pt_turret_magazine, channel));
-    const auto unit = static_cast<std::int32_t>(params::get(table, params::pt_tool_unit, channel));
-    const auto of_another_turret = [&](std::int32_t number) {
-        for (unsigned l = 1; l <= kMaxChannels; ++l)
-            if (l != channel && static_cast<std::int32_t>(params::get(table, params::pt_turret_magazine, l)) == number) return true;
-        return false;
-    };
-    const auto seen = [&](const ToolRow& row) { return row.used && (row.unit == 0 || row.unit == unit) && (row.magazine == magazine || !of_another_turret(row.magazine)); };
+// What the channel's T calls find, as the store's own search says it: a station means the tool that stands there or a sister of its name, an
+// empty or used up one a tool without name and edges; what a name alone finds comes behind the stations.
+Result<std::map<int, text::ToolSetup>> tools_of_channel(const std::string& instance, unsigned channel, const ToolTable& tools, const ToolEdgeTable& edges) {
+    using Json = nlohmann::json;
+    const Json op = {{"do", "tools.answers"}, {"channel", channel}};
+    std::string text;
+    if (!ask(instance, Json{{"do", "store"}, {"op", op}}.dump(), &text)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
+    const Json answer = Json::parse(text, nullptr, false);
+    if (!answer.is_object()) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
+    const auto setup = [&](std::int64_t tool) { return tool >= 1 && tool <= static_cast<std::int64_t>(tools.rows.size()) ? setup_of(tools, edges, static_cast<std::size_t>(tool - 1)) : text::ToolSetup{}; };
     std::map<int, text::ToolSetup> out;
-    for (std::size_t i = 0; i < places.count && magazine > 0; ++i)
-        if (places.places[i].magazine == magazine && places.places[i].pot >= 1) out[places.places[i].pot] = {};
+    for (const Json& one : answer.value("stations", Json::array())) out[one.value("pot", 0)] = setup(one.value("tool", 0));
     int behind = out.empty() ? 0 : out.rbegin()->first;
-    for (std::size_t i = 0; i < tools.rows.size(); ++i) {
-        const ToolRow& row = tools.rows[i];
-        if (!seen(row)) continue;
-        const bool stands = magazine > 0 && row.magazine == magazine && row.pot >= 1;
-        if (usable(row)) {
-            if (row.magazine > 0) out[stands ? row.pot : ++behind] = setup_of(tools, edges, i);
-        } else if (stands && !name_of(row).empty()) {
-            for (std::size_t s = 0; s < tools.rows.size(); ++s)
-                if (const ToolRow& sister = tools.rows[s]; seen(sister) && usable(sister) && sister.magazine > 0 && name_of(sister) == name_of(row)) {
-                    out[row.pot] = setup_of(tools, edges, s);
-                    break;
-                }
-        }
-    }
+    for (const Json& one : answer.value("others", Json::array())) out[++behind] = setup(one.get<std::int64_t>());
     return out;
 }
 
@@ -146,10 +127,13 @@ Result<LikeValues> values_of_controller(const std::string& instance) {
     if (!params::bit(*table, params::n2900_tool_m_config, 0)) return out;
     const auto tools = std::make_unique<ToolTable>();
     const auto edges = std::make_unique<ToolEdgeTable>();
-    const auto places = std::make_unique<ToolPlaceTable>();
-    if (!(*store)->tools.read(*tools) || !(*store)->edges.read(*edges) || !(*store)->places.read(*places)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
-    for (unsigned number = 1; number <= kMaxChannels; ++number)
-        if (machine.channel(number).exists()) out.tools[number] = tools_of_channel(*table, number, *tools, *edges, *places);
+    if (!(*store)->tools.read(*tools) || !(*store)->edges.read(*edges)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
+    for (unsigned number = 1; number <= kMaxChannels; ++number) {
+        if (!machine.channel(number).exists()) continue;
+        auto found = tools_of_channel(instance, number, *tools, *edges);
+        if (!found) return found.diagnosis();
+        out.tools[number] = std::move(*found);
+    }
     return out;
 }
 

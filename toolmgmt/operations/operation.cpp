@@ -17,7 +17,8 @@ struct Row {
 // The first row that fits says who may.
 constexpr Row kRows[] = {
     {"tools.list", UserLevel::None, tool_operation},       {"tools.show", UserLevel::None, tool_operation},    {"tools.places", UserLevel::None, tool_operation},
-    {"tools.fields", UserLevel::None, tool_operation},     {"tools.export", UserLevel::None, table_operation}, {"tools.import", UserLevel::Setter, table_operation},
+    {"tools.answers", UserLevel::None, tool_operation},    {"tools.fields", UserLevel::None, tool_operation},
+    {"tools.export", UserLevel::None, table_operation},    {"tools.import", UserLevel::Setter, table_operation},
     {"tools.load", UserLevel::Operator, tool_operation},   {"tools.unload", UserLevel::Operator, tool_operation}, {"tools.move", UserLevel::Operator, tool_operation},
     {"tools.", UserLevel::Setter, tool_operation},         {"life.report", UserLevel::None, life_operation},   {"life.reset", UserLevel::Operator, life_operation},
     {"life.", UserLevel::Setter, life_operation},          {"offsets.list", UserLevel::None, offset_operation}, {"offsets.history", UserLevel::None, offset_operation},

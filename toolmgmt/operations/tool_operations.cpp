@@ -1,4 +1,4 @@
-// Tools and where they stand: list, show, places, add, set, delete, load, unload, move, place.
+// Tools and where they stand: list, show, places, answers, add, set, delete, load, unload, move, place.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -190,6 +190,34 @@ Json places_json(Work& work) {
     return {{"places", std::move(out)}};
 }
 
+// What T calls of a channel would find now: for each station of its turret (0: nothing that may be used), and besides those the tools that a
+// name finds. One question for all, so that a check of programs elsewhere needs no search of its own.
+Json answers(const Json& request, Work& work) {
+    std::int64_t channel = 0;
+    if (!read_whole(request, "channel", channel, work)) return {};
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
+        return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist", 0, "channel"), Json();
+    Json stations = Json::array(), others = Json::array();
+    const auto l = static_cast<unsigned>(channel);
+    const auto places = std::make_unique<ToolPlaceTable>();
+    derive_places(work.values, *places);
+    const std::int32_t turret = turret_of(work.values.parameters, l).magazine;
+    for (std::size_t i = 0; i < places->count && turret > 0; ++i) {
+        const ToolPlace& place = places->places[i];
+        if (place.magazine != turret) continue;
+        const ToolAnswer found = find_tool(work.values, *places, {l, ToolCallBy::Location, static_cast<double>(place.pot), {}});
+        stations.push_back({{"pot", place.pot}, {"tool", found.alarm < 0 ? found.tool : 0}});
+    }
+    for (std::size_t i = 0; i < kTools; ++i) {
+        const ToolRow& row = work.values.tools.rows[i];
+        if (!row.used || row.magazine <= 0 || row.magazine == turret || !usable(row) || !reaches(work.values.parameters, l, row)) continue;
+        const std::string name = tool_text(row, tool_field("name"));
+        if (!name.empty() && find_tool(work.values, *places, {l, ToolCallBy::Name, 0.0, name}).tool != static_cast<std::int32_t>(i + 1)) continue;   // a sister is called
+        others.push_back(i + 1);
+    }
+    return {{"managed", managed(work.values.parameters)}, {"stations", std::move(stations)}, {"others", std::move(others)}};
+}
+
 Json add(const Json& request, Work& work) {
     std::int64_t number = 0;
     const std::int64_t most = table_length(work.values);
@@ -257,6 +285,7 @@ Json place(const Json& request, Work& work) {
 Json tool_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "list") return list(request, work);
     if (what == "places") return places_json(work);
+    if (what == "answers") return answers(request, work);
     if (what == "add") return add(request, work);
     if (what == "load" || what == "move") return load(request, work, what == "move");
     if (what == "unload") return unload(request, work);

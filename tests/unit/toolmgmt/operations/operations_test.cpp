@@ -256,4 +256,34 @@ TEST(Life, OfSistersInDifferentUnitsIsForecastInPartsOnly) {
     EXPECT_EQ(group["parts_left"], 23);
 }
 
+// sinumerik part 1, 5.2.1: what stands at a station need not be what its call finds. Magazine 3 is a matrix that L1 reaches and L2 does not.
+TEST(Answers, OfAChannelAreThoseOfItsCalls) {
+    ToolRig rig;
+    for (const char* line : {"N2905=00000100", "N2918=3", "N2919=4", "N2901 L1=00001000", "PT_TOOL_SEARCH L1=1"}) rig.set(line);
+    rig.add({{"name", "ROUGH"}, {"duplo", 1}, {"locked", 1}}, 1, 5);
+    rig.add({{"name", "ROUGH"}, {"duplo", 2}}, 1, 7);
+    const int active = rig.add({{"name", "ROUGH"}, {"duplo", 3}, {"active", 1}}, 1, 6);
+    rig.add({{"name", "DRILL"}, {"locked", 1}}, 1, 2);
+    const int groove = rig.add({{"name", "GROOVE"}, {"duplo", 1}, {"active", 1}}, 3, 1);
+    rig.add({{"name", "GROOVE"}, {"duplo", 2}}, 3, 2);
+    rig.add({{"name", "LOOSE"}});
+    const int other = rig.add({{"name", "OTHER"}}, 2, 1);
+    const auto at = [&](int pot) {
+        for (const Json& one : rig.answer["stations"])
+            if (one["pot"] == pot) return one["tool"].get<int>();
+        return -1;
+    };
+    ASSERT_TRUE(rig.run({{"do", "tools.answers"}, {"channel", 1}}, UserLevel::None)) << rig.said();
+    for (const int pot : {5, 6, 7}) EXPECT_EQ(at(pot), active) << pot;
+    EXPECT_EQ(at(2), 0) << "used up, and no sister";
+    EXPECT_EQ(at(1), 0) << "empty";
+    EXPECT_EQ(rig.answer["stations"].size(), 12u);
+    EXPECT_EQ(rig.answer["others"], Json::array({groove})) << "not its sister, which no call finds; not what stands nowhere or in the other turret";
+    ASSERT_TRUE(rig.run({{"do", "tools.answers"}, {"channel", 2}}, UserLevel::None)) << rig.said();
+    EXPECT_EQ(at(1), other);
+    EXPECT_EQ(rig.answer["others"], Json::array());
+    EXPECT_FALSE(rig.run({{"do", "tools.answers"}, {"channel", 9}}, UserLevel::None));
+    EXPECT_EQ(rig.faults[0].column, "channel");
+}
+
 }  // namespace
