@@ -209,6 +209,14 @@ TEST(SinumerikText, ALineFromATextIsReadInThePlaceOfItsBlock) {
     EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":30"), 1u) << played.events;
 }
 
+// Part 2, 13.5: before the plane changes the rotations are taken back by ROT or by ROT X0 Y0 Z0, on a lathe without Y too.
+TEST(SinumerikFrames, ZeroAnglesAreNoRotation) {
+    const Played played = run("G18 DIAMOF\nROT RPL=90\nG0 X5 Z0\nROT X0 Y0 Z0\nG0 X5 Z1\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({"\"line\":5", "\"machine\":{\"X\":5,\"Z\":1"})) << played.events;
+    EXPECT_EQ(run("G18\nROT X10 Y20\nM30\n").errors, 1u);
+}
+
 TEST(SinumerikFrames, PartsOfAFrameVariableAreReadAndWritten) {
     const Played played = run("DEF FRAME FRA\nFRA=CTRANS(X,3,Z,12):CMIRROR(X)\nFRA[Z,TR]=7\nR1=FRA[Z,TR]\nR2=FRA[X,MI]\n$P_UIFR[2]=FRA\nR3=$P_UIFR[2,X,TR]\nM30\n");
     EXPECT_EQ(played.errors, 0u) << played.events;
