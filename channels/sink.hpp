@@ -108,6 +108,7 @@ struct Move {
     double tap_rpm = 0.0;           // the programmed speed, 1/min
     bool tap_out = false;           // the way out of the hole
     bool tap_feedforward = false;   // N1503 RFF
+    bool offset_alone = false;      // only the tool's offset changes: the contour does not go on
     bool beside = false;            // a positioning axis: it goes with its own feed beside the path, and nobody waits (Wait::Act::Arrive does)
     bool fixed_stop = false;        // Skip: ends where the axes meet something, too
     bool stop_must_come = false;    // and must meet it

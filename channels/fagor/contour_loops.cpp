@@ -256,4 +256,14 @@ std::vector<ContourLoop> find_loops(const std::vector<Element>& all, const Nose&
     return loops;
 }
 
+std::vector<Element> without_loops(std::vector<Element> elements, const std::vector<ContourLoop>& loops) {
+    for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
+        Element &before = elements[loop->before], &after = elements[loop->after];
+        if (loop->meeting) cut_to(before, before.from, *loop->meeting);
+        cut_to(after, before.to, after.to);
+        elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(loop->before) + 1, elements.begin() + static_cast<std::ptrdiff_t>(loop->after));
+    }
+    return elements;
+}
+
 }  // namespace polyturn::channels::fagor

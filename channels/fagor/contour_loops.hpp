@@ -29,4 +29,7 @@ struct Nose {
 // window: so many elements are looked at together.
 std::vector<ContourLoop> find_loops(const std::vector<cycles::Element>& elements, const Nose& nose, std::size_t window);
 
+// The same contour without them.
+std::vector<cycles::Element> without_loops(std::vector<cycles::Element> elements, const std::vector<ContourLoop>& loops);
+
 }  // namespace polyturn::channels::fagor

@@ -219,7 +219,13 @@ bool Interpreter::m_function(const Word& word, bool behind) {
     // M05 gives the drive back to an axis that shares it: its next move counts from where the drive stands then.
     const bool changes = code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0, waits = changes && !core_.reads_ahead() && managed();
     const bool drains = (entry && entry->stops_preparation) || waits || (code == 5 && core_.frees_axis() && !core_.reads_ahead());
-    core_.aux('M', code, {text, end.size}, drains);
+    Aux told;
+    told.value = code;
+    told.text = {text, end.size};
+    told.drained = drains;
+    told.beside = entry && entry->goes_on && !drains;
+    core_.mark_emitted();
+    core_.sink().aux(told, core_.at);
     if (drains) wants_barrier_ = true;
     if (waits) {
         change_pending_ = true;

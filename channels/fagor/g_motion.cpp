@@ -119,7 +119,7 @@ bool Interpreter::drive_line(const AxisValues& programmed, bool rapid) {
     if (!loops_.empty() && leave_out(target)) {
         if (!drive_left_out(target, rapid)) return false;
     } else {
-        if (!element_at_end(true) || !straight(target, rapid)) return false;
+        if ((!ends_sharp() && !element_at_end(true)) || !straight(target, rapid)) return false;
         if (!loops_.empty()) core_.path.programmed = programmed;   // the way may have ended elsewhere
     }
     int p = -1, q = -1;
@@ -193,7 +193,7 @@ bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, 
     if (!plane_places(p, q)) return false;
     AxisValues target = programmed;
     const bool left_out = !loops_.empty() && leave_out(target);
-    if (!left_out && !element_at_end(false)) return false;
+    if (!left_out && !ends_sharp() && !element_at_end(false)) return false;
     ArcCall call;
     call.clockwise = clockwise;
     call.centre_p = cp;

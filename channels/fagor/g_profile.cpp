@@ -1,15 +1,45 @@
 // G66, G68, G69: the blocks of a profile are read as geometry, then cut (fagor_8037t part 2, 9.1 to 9.3).
+#include <algorithm>
 #include <cmath>
 
 #include "channels/cycles/contour_offset.hpp"
 #include "channels/cycles/profile_roughing.hpp"
 #include "channels/cycles/tool_closing.hpp"
+#include "channels/fagor/contour_loops.hpp"
 #include "channels/fagor/interpreter.hpp"
 
 namespace polyturn::channels::fagor {
 
 using cycles::Contour;
 using cycles::Point;
+
+namespace {
+
+// G36 R2 or G39 R2 in a line of its own: in a profile it may stand between the two blocks of its corner (9.1.2). Its words; empty: another block.
+std::string_view corner_alone(std::string_view line) {
+    std::size_t i = 0;
+    const auto blanks = [&] { while (i < line.size() && (line[i] == ' ' || line[i] == '\t')) ++i; };
+    const auto letter = [&](char c) { return i < line.size() && (line[i] == c || line[i] == c + 32) ? (++i, true) : false; };
+    const auto digits = [&](bool point) {
+        const std::size_t begin = i;
+        while (i < line.size() && ((line[i] >= '0' && line[i] <= '9') || (point && line[i] == '.'))) ++i;
+        return line.substr(begin, i - begin);
+    };
+    blanks();
+    if (letter('N')) blanks(), (void)digits(false), blanks();
+    const std::size_t begin = i;
+    if (!letter('G')) return {};
+    const std::string_view code = digits(false);
+    blanks();
+    if ((code != "36" && code != "39") || !letter('R')) return {};
+    blanks();
+    if (digits(true).empty()) return {};
+    const std::size_t end = i;
+    blanks();
+    return i == line.size() || line[i] == ';' ? line.substr(begin, end - begin) : std::string_view{};
+}
+
+}  // namespace
 
 bool Interpreter::read_profile(Contour& part, Contour& blank, bool& has_blank) {
     std::int64_t first = 0, last = 0, program = -1;
@@ -104,6 +134,16 @@ bool Interpreter::record_profile(const Interpreter& caller, FileId file, TextPos
         core_.at.line = source_->position().line;
         core_.at.file = file;
         if (core_.at.line > last_line) break;
+        const TextPosition behind = source_->next_position();
+        const bool more = source_->next(line) == LineSource::Status::Line && source_->position().line <= last_line;
+        if (const std::string_view corner = more ? corner_alone(line) : std::string_view{}; !corner.empty()) {
+            line_storage_.erase(std::min(line_storage_.find(';'), line_storage_.size()));
+            line_storage_ += ' ';
+            line_storage_ += corner;
+            line_ = line_storage_;
+        } else {
+            source_->seek(behind);
+        }
         by_letter_.fill(nullptr);
         fault_column_ = fault_length_ = 0;
         const BlockKind kind = reader_.read(line_, block_);
@@ -182,6 +222,7 @@ bool Interpreter::g_profile(const GCode& row) {
     if (!read_profile(part, blank, has_blank)) return false;
     bool closed = false;
     part = close_for_tool(part, row.number == 69, closed);
+    if (distance('H') > 0) close_for_nose(part, row.number != 69, closed);
     if (closed) core_.sink().alarm({Alarm::FagorProfileHollow, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
     const Point call = cycle_call_point();
     part.start = call;
@@ -278,6 +319,16 @@ bool Interpreter::repeat_passes(const Contour& part, Point call, double l, doubl
         }
     }
     return cycles::repeat_profile(core_, part, cycle);
+}
+
+// The finishing pass is compensated: what the nose does not fit into is closed before anything is cut (9.1.5).
+void Interpreter::close_for_nose(Contour& part, bool infeed_in_x, bool& closed) {
+    constexpr std::size_t kWindow = 50;   // elements that are looked at together, as in 8.2.5 of part 1
+    const Nose nose{std::fabs(core_.path.tool.nose_radius), cycles::side_towards(part, cycle_call_point(), infeed_in_x), outer_corner()};
+    const auto loops = find_loops(part.elements, nose, kWindow);
+    if (loops.empty()) return;
+    part.elements = without_loops(std::move(part.elements), loops);
+    closed = true;
 }
 
 // Cutter angle NOSEA and cutting angle CUTA, in ten-thousandths of a degree; a tool without them reaches everything.

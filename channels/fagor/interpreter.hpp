@@ -188,17 +188,20 @@ private:
     cycles::Point caller_point(const Interpreter& caller);
     bool repeat_passes(const cycles::Contour& part, cycles::Point call, double l, double m, bool square, double finishing);
     cycles::Contour close_for_tool(const cycles::Contour& part, bool facing, bool& closed);
+    void close_for_nose(cycles::Contour& part, bool infeed_in_x, bool& closed);
     void keep_feed(double feed);
 
     // loops of a compensated contour (loop_scan.cpp)
     struct LoopPlan {
         bool left_out = false, first = false;   // the block's way in the plane; the first one of its loop tells
-        cycles::Point end;                      // otherwise where it ends instead
+        std::optional<cycles::Point> end;       // otherwise where it ends instead
+        bool sharp = false;                     // only the chamfer or rounding at its end is left out
     };
     bool scan_loops();
     compensation::Corner outer_corner() const;
     std::vector<cycles::Element> record_ahead(const Interpreter& caller, cycles::ContourRecorder& recorder, unsigned p, unsigned q, std::uint64_t& to);
     bool leave_out(AxisValues& target);
+    bool ends_sharp() const;
     bool drive_left_out(const AxisValues& target, bool rapid);
 
     // probing, interrupts (g_probe.cpp)

@@ -27,8 +27,13 @@ bool Interpreter::scan_loops() {
     show_diameter();
     const Nose nose{core_.path.tool.nose_radius, modal_.comp == 41 ? 1 : -1, outer_corner()};
     for (const ContourLoop& loop : find_loops(elements, nose, static_cast<std::size_t>(modal_.collision_blocks))) {
-        if (loop.meeting) loops_[elements[loop.before].at.serial] = {false, false, *loop.meeting};
-        for (std::size_t k = loop.before + 1; k < loop.after; ++k) loops_[elements[k].at.serial] = {true, k == loop.before + 1, {}};
+        const std::uint64_t before = elements[loop.before].at.serial;
+        if (loop.meeting) loops_[before].end = loop.meeting;
+        for (std::size_t k = loop.before + 1; k < loop.after; ++k) {
+            LoopPlan& plan = loops_[elements[k].at.serial];
+            plan.first = plan.first || k == loop.before + 1;
+            (elements[k].at.serial == before ? plan.sharp : plan.left_out) = true;
+        }
     }
     return true;
 }
@@ -63,12 +68,15 @@ bool Interpreter::leave_out(AxisValues& target) {
     if (plan == loops_.end()) return false;
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
-    if (!plan->second.left_out) {
-        target[p] = plan->second.end.z, target[q] = plan->second.end.x;
-        return false;
-    }
+    if (!plan->second.left_out && plan->second.end) target[p] = plan->second.end->z, target[q] = plan->second.end->x;
     if (plan->second.first) core_.sink().alarm({Alarm::FagorProfileHollow, {files_->path(core_.at.file), core_.at.line, 0, 0}, {}, {}}, core_.at);
-    return true;
+    return plan->second.left_out;
+}
+
+// The chamfer or rounding at the end of this block is too small for the nose, the block itself is not.
+bool Interpreter::ends_sharp() const {
+    const auto plan = loops_.find(core_.at.serial);
+    return plan != loops_.end() && plan->second.sharp;
 }
 
 // Only what lies outside of the plane is driven; the program is where the block would have led.

@@ -41,7 +41,7 @@ Settings read_settings(const Table& t, unsigned l) {
         const auto code = static_cast<std::int32_t>(get(t, fg_mfun, l, n));
         if (code < 0) continue;
         const auto flags = static_cast<unsigned>(get(t, fg_mflags, l, n));
-        s.m_table.push_back({code, static_cast<std::int32_t>(get(t, fg_msub, l, n)), (flags & 2u) != 0, (flags & 4u) != 0, (flags & 8u) != 0});
+        s.m_table.push_back({code, static_cast<std::int32_t>(get(t, fg_msub, l, n)), (flags & 2u) != 0, (flags & 4u) != 0, (flags & 8u) != 0, (flags & 1u) != 0});
     }
     if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles) {
         s.thread_angle = get(t, fg_m19type, spindle) != 0;

@@ -15,6 +15,7 @@ struct MEntry {
     bool after_motion = false;
     bool stops_preparation = false;
     bool only_subroutine = false;
+    bool goes_on = false;            // without waiting for AUXEND
 };
 
 struct Settings {

@@ -23,6 +23,13 @@ std::int64_t leading_number(std::string_view line, char letter, bool colon) {
             if (i < line.size() && is_digit(line[i])) ++i;
             continue;
         }
+        if (i < line.size() && line[i] == '(') {   // a comment may stand anywhere
+            const std::size_t end = line.find(')', i);
+            if (end != std::string_view::npos) {
+                i = end + 1;
+                continue;
+            }
+        }
         break;
     }
     if (i == line.size()) return -1;

@@ -111,8 +111,7 @@ bool Interpreter::tool_word() {
     constexpr std::uint32_t kMoving = (1u << static_cast<unsigned>(GGroup::OneShot));
     const bool alone = axis_word_count_ == 0 && !(coded_groups_ & kMoving);
     if (alone && !code.with_next_move && core_.vector_pending()) {
-        const AxisValues here = core_.path.programmed;
-        return motion_->tenths == 0 ? core_.rapid(here) : core_.linear(here);
+        return core_.travel_offset(motion_->tenths == 0);
     }
     return true;
 }

@@ -54,10 +54,34 @@ void Interpreter::note_corner(double size, bool rounding, char letter) {
     corner_before_ = {counts, rounding, letter, size, counts ? std::array{here[static_cast<std::size_t>(p)], here[static_cast<std::size_t>(q)]} : std::array<double, 2>{}, core_.at};
 }
 
+// With compensation both lines at a chamfer or corner R run along an axis, to a degree (fanuc_lathe 3.16).
+bool Interpreter::stands_at_right_angles(const CornerBefore& before, const AxisValues& target) {
+    if (settings_.nct || settings_.mefi) return true;
+    static const double kDegree = std::tan(std::numbers::pi / 180.0) + 1e-9;
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
+    const AxisValues& corner = core_.path.programmed;
+    const double along = std::fabs(corner[i] - before.from[0]), across = std::fabs(corner[k] - before.from[1]);
+    if (std::fmin(along, across) > kDegree * std::fmax(along, across)) {
+        (void)core_.fail(Alarm::CornerTaper);
+        Fault fault = core_.fault();
+        fault.block = before.at;
+        fault.letter = before.letter;
+        core_.set_fault(std::move(fault));
+        return false;
+    }
+    if (motion_->tenths > 10) return true;   // an arc: compensation sees it
+    const double next_along = std::fabs(target[i] - corner[i]), next_across = std::fabs(target[k] - corner[k]);
+    const bool first_along = along > across;
+    return (first_along ? next_along <= kDegree * next_across : next_across <= kDegree * next_along) || core_.fail(Alarm::CornerNotLine, 'G');
+}
+
 bool Interpreter::corner_has_room(const AxisValues& target) {
     if (corner_before_.at.serial == core_.at.serial) return true;   // ,C is read before its own line is driven
     const CornerBefore before = std::exchange(corner_before_, {});
     const ToolState& tool = core_.path.tool;
+    if (before.pending && !stands_at_right_angles(before, target)) return false;
     if (!before.pending || (tool.geometry == 0 && tool.wear == 0) || before.size >= std::fabs(tool.nose_radius) - 1e-9) return true;
     if (before.rounding && motion_->tenths > 10) return true;   // an arc follows: its end does not tell to which side it begins; compensation sees it
     int p = -1, q = -1;

@@ -242,6 +242,7 @@ private:
     bool lathe_corner(AxisSet named);
     void note_corner(double size, bool rounding, char letter);
     bool corner_has_room(const AxisValues& target);
+    bool stands_at_right_angles(const CornerBefore& before, const AxisValues& target);
     bool follows_corner(const AxisValues& target, bool line);
     const Word* angle_word() const;
     bool angle_line(AxisSet named);

@@ -355,6 +355,8 @@ Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
     const std::string_view comment = comment_text(at, end);
     fault_column_ = static_cast<std::uint32_t>(begin - line_.data()) + 1;
     fault_length_ = static_cast<std::uint32_t>(at - begin);
+    const bool of_letter_call = settings_.nct && number >= 191 && number <= 199;   // the call writes them (nct_parameters_part2 38)
+    if (of_letter_call) return core_.fail(Alarm::VariableReadOnly, 0, variable_name(number)), Flow::Fault;
     if (!written(number, value, comment)) return Flow::Fault;
     fault_column_ = fault_length_ = 0;
     return Flow::Done;

@@ -83,7 +83,16 @@ bool Interpreter::p_coupling(Call& c) {
     stop_reading();
     if (!core_.couple_spindle(told)) return false;
     if (name != "COUPOFS") return true;   // COUPOF: it turns on as fast as it was
-    return with_spindle(follows, [&] { return core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle(); });
+    return with_spindle(follows, [&] {
+        if (!core_.spindle_turn(SpindleTurn::Stop) || !core_.commit_spindle()) return false;
+        Aux stop;   // by the PLC's M5: a later S of it does not set it turning
+        stop.value = 5;
+        stop.text = "M5";
+        stop.silent = true;
+        core_.mark_emitted();
+        core_.sink().aux(stop, core_.at);
+        return true;
+    });
 }
 
 // COUPOF: the follower turns on as fast as it does. It is told so, and the PLC its direction, while it still follows: so nothing brakes it.

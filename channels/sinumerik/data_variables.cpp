@@ -1,5 +1,6 @@
 // Machine and setting data by their names: $MC_GCODE_RESET_VALUES[5], $SC_FRAME_OFFSET_INCR_PROG=0, $MA_MAX_AX_VELO[X]. They are
 // rows of the parameter registry; a program may write setting data, for its own run.
+#include <algorithm>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -56,7 +57,27 @@ constexpr DataName kNames[] = {
     {"$MC_WORKAREA_WITH_TOOL_RADIUS", "MD21020"},
     {"$MC_LIFTFAST_DIST", "MD21200"},
     {"$MA_BASE_FUNCTION_MASK", "MD30460"},
+    {"$MN_IPO_CYCLE_TIME", "MD10071"},
+    {"$MN_FRAME_ANGLE_INPUT_MODE", "MD10600"},
+    {"$MN_CONTOUR_DEF_ANGLE_NAME", "MD10652"}, {"$MN_RADIUS_NAME", "MD10654"}, {"$MN_CHAMFER_NAME", "MD10656"},
+    {"$MN_PROG_SD_RESET_SAVE_TAB", "MD10710"},
+    {"$MC_CHAN_NAME", "N0003"},
+    {"$MC_TOOL_MANAGEMENT_TOOLHOLDER", "MD20124"},
+    {"$MC_CUTCOM_MAXNUM_CHECK_BLOCKS", "MD20240"},
+    {"$MC_SHAPED_TOOL_TYPE_NO", "MD20370"},
+    {"$MC_SMOOTHING_MODE", "MD20480"}, {"$MC_IGNORE_OVL_FACTOR_FOR_ADIS", "MD20490"},
+    {"$MC_INVOLUTE_RADIUS_DELTA", "MD21015"},
+    {"$MC_X_AXES_IN_OLD_X_Z_PLANE", "MD21110"},
+    {"$MC_MM_SYSTEM_FRAME_MASK", "MD28082"}, {"$MC_MM_SHAPED_TOOLS_ENABLE", "MD28290"},
+    {"$MA_AUTO_GET_TYPE", "MD30552"},
+    {"$MA_POS_AX_VELO", "MD32060"},
 };
+
+// What the machine's configuration says in its own way; n: the index.
+constexpr std::string_view kConfiguration[] = {"$MN_AXCONF_MACHAX_NAME_TAB", "$MC_AXCONF_GEOAX_NAME_TAB", "$MC_AXCONF_CHANAX_NAME_TAB", "$MC_AXCONF_GEOAX_ASSIGN_TAB",
+                                               "$MC_AXCONF_MACHAX_USED", "$MN_MM_MAX_CUTTING_EDGE_PERTOOL"};
+
+constexpr double kMostEdgesOfATool = 12;   // sinumerik_part1 6.6
 
 }  // namespace
 
@@ -67,9 +88,35 @@ const params::Row* Interpreter::data_row(const std::string& name) {
 }
 
 bool Interpreter::is_data_name(std::string_view name) const {
+    for (const std::string_view one : kConfiguration)
+        if (one == name) return true;
     for (const DataName& one : kNames)
         if (one.name == name) return true;
     return false;
+}
+
+// Names and numbers of the axes (sinumerik_part2 18.1), and what the control itself fixes.
+bool Interpreter::configuration_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value, bool& known) {
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    known = std::find(std::begin(kConfiguration), std::end(kConfiguration), name) != std::end(kConfiguration);
+    if (!known) return true;
+    if (name == "$MN_MM_MAX_CUTTING_EDGE_PERTOOL") return value = Value::of_int(kMostEdgesOfATool), true;
+    const MachineView& view = core_.view();
+    const bool geometry = name.find("GEOAX") != std::string::npos, of_machine = name.starts_with("$MN");
+    const std::size_t most = geometry ? 3 : of_machine ? kMaxAxes : kChannelAxes;
+    if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);
+    const double index = std::nearbyint(indices[0].number);
+    if (!(index >= 0 && index < static_cast<double>(most))) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, index);
+    const auto n = static_cast<std::size_t>(index);
+    if (of_machine) {   // the letter of the axis and 1, as MD10000 is delivered; AX and the number where this channel does not have it
+        const auto axis = std::find_if(view.axes.begin(), view.axes.begin() + view.axis_count, [&](const ChannelAxis& one) { return one.machine_axis == n; });
+        const bool ours = axis != view.axes.begin() + view.axis_count && axis->name.size() == 1;
+        return value = Value::of_text(ours ? std::string(axis->name) + "1" : view.machine.axis(n + 1).exists() ? "AX" + std::to_string(n + 1) : std::string()), true;
+    }
+    const int place = geometry ? view.axis_by_role(kRoles[n]) : n < view.axis_count ? static_cast<int>(n) : -1;
+    if (name.ends_with("NAME_TAB")) return value = Value::of_text(place < 0 ? std::string() : axis_name(place)), true;
+    if (geometry) return value = Value::of_int(place + 1.0), true;
+    return value = Value::of_int(place < 0 ? 0.0 : view.axes[n].machine_axis + 1.0), true;
 }
 
 // The cell that a data name means; found is false for names that are no data, and for those that are not built.

@@ -314,7 +314,7 @@ bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& r
         case kXor: left = Value::of_bool((a != 0) != (b != 0)); break;
         default: return wrong();
     }
-    if (left.type == Type::Int && std::fabs(left.number) > 2147483648.0) left.type = Type::Real;
+    if (left.type == Type::Int && (left.number > 2147483647.0 || left.number < -2147483648.0)) left.type = Type::Real;
     if (!std::isfinite(left.number)) return fail_at(Alarm::ValueOutOfRange, at, 1, "overflow");
     return true;
 }

@@ -124,7 +124,10 @@ bool Interpreter::functions_before() {
                     modal_.cutting_speeds &= ~bit;
                     static constexpr SpindleApproach kHow[] = {SpindleApproach::Shortest, SpindleApproach::Positive, SpindleApproach::Negative};
                     const auto how = static_cast<std::size_t>(params::get(core_.view().table(), params::sd43250, core_.path.spindle.spindle));
-                    return core_.spindle_position(m19_position(spindle), kHow[std::min<std::size_t>(how, 2)]);
+                    core_.position_feed(spindle_feed_rpm(core_.path.spindle.spindle));
+                    const bool told = core_.spindle_position(m19_position(spindle), kHow[std::min<std::size_t>(how, 2)]);
+                    core_.position_feed(0.0);
+                    return told;
                 });
                 if (!ok) return false;
             }
@@ -212,6 +215,7 @@ bool Interpreter::a_spindle_position(const Word& word) {
         const std::uint16_t spindle = core_.path.spindle.spindle;
         modal_.cutting_speeds &= ~(1u << (spindle - 1));
         const double angle = word.number();
+        core_.position_feed(spindle_feed_rpm(spindle));
         if (word.mode == Mode::IC) {
             if (std::fabs(angle) >= 100'000.0) return fail_word(Alarm::ValueOutOfRange, word, "SPOS");
             if (spindle_closed(spindle)) return core_.spindle_index(angle);
@@ -225,7 +229,16 @@ bool Interpreter::a_spindle_position(const Word& word) {
         return true;
     });
     core_.position_beside(false);
+    core_.position_feed(0.0);
     return good;
+}
+
+// FA of the block counts wherever it stands in it; what holds from before is modal.
+double Interpreter::spindle_feed_rpm(std::uint16_t spindle) const {
+    double degrees = modal_.spindle_feed[spindle];
+    for (const Word& word : block_.words)
+        if (word.address->name == "FA" && word.axis < 0 && (word.index > 0 ? word.index : modal_.master_spindle) == spindle) degrees = word.number();
+    return degrees / 360.0;
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -106,7 +106,8 @@ bool Interpreter::frame_words(const GCode& code, FrameValue& value, std::optiona
     if (rpl && kind != "ROT") return fail_word(Alarm::AddressIllegal, *rpl, "RPL");
     if (rpl) {
         static constexpr std::size_t kApplicate[] = {2, 1, 0};
-        if (axis_words()) return fail_word(Alarm::CodesContradict, *rpl, "RPL, X Y Z");
+        const bool turns_others = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) { return w.axis >= 0 && w.number() != 0; });
+        if (turns_others) return fail_word(Alarm::CodesContradict, *rpl, "RPL, X Y Z");   // ROT X0 Y0 Z0 of a lathe: no rotation (13.5)
         const std::size_t upright = kApplicate[static_cast<std::size_t>(core_.path.plane)];
         if (std::fabs(rpl->number()) > 360) return fail_word(Alarm::ValueOutOfRange, *rpl, "RPL", rpl->number());
         turn_about(value, geo, upright) = rpl->number();

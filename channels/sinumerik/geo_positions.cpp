@@ -104,22 +104,22 @@ std::optional<Interpreter::AreaFault> Interpreter::area_fault(const AxisValues& 
     const MachineView& view = core_.view();
     const AxisValues basic_point = core_.framed(target), settable = programmable(target);
     for (unsigned i = 0; i < view.axis_count; ++i) {
+        const PlaneRole role = view.axes[i].role;
+        const bool round = settings_.area_with_radius && (role == PlaneRole::BasicX || role == PlaneRole::BasicY || role == PlaneRole::BasicZ);
+        const double reach = (round ? std::fabs(core_.path.tool.nose_radius) : 0.0) + distance[i];   // MD21020: what is looked at is the same in both areas (15.3.2)
         if (basic) {
             const double value = basic_point[i] + core_.path.zero[i];
             const bool plus = settings_.area_plus[view.axes[i].machine_axis], minus = settings_.area_minus[view.axes[i].machine_axis];
             const double high = geo.area_high >> i & 1u ? geo.high[i] : settings_.area_high[view.axes[i].machine_axis];
             const double low = geo.area_low >> i & 1u ? geo.low[i] : settings_.area_low[view.axes[i].machine_axis];
-            const PlaneRole role = view.axes[i].role;
-            const bool round = settings_.area_with_radius && (role == PlaneRole::BasicX || role == PlaneRole::BasicY || role == PlaneRole::BasicZ);
-            const double reach = (round ? std::fabs(core_.path.tool.nose_radius) : 0.0) + distance[i];   // MD21020
             if (plus && value + reach > high + slack) return AreaFault{i, value + reach, high, true};
             if (minus && value - reach < low - slack) return AreaFault{i, value - reach, low, false};
         }
         if (!group) continue;
         const AreaGroup& area = geo.areas[active(60) - 2];
         const double value = area.workpiece ? target[i] : settable[i];
-        if (area.plus >> i & 1u && value + distance[i] > area.high[i] + slack) return AreaFault{i, value, area.high[i], true};
-        if (area.minus >> i & 1u && value - distance[i] < area.low[i] - slack) return AreaFault{i, value, area.low[i], false};
+        if (area.plus >> i & 1u && value + reach > area.high[i] + slack) return AreaFault{i, value + reach, area.high[i], true};
+        if (area.minus >> i & 1u && value - reach < area.low[i] - slack) return AreaFault{i, value - reach, area.low[i], false};
     }
     return std::nullopt;
 }

@@ -108,6 +108,7 @@ public:
     bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
     bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&), a_no_holder(const Word&);
     bool a_cutting_speed(const Word&), a_surface_axis(const Word&), a_limit(const Word&), a_spindle_position(const Word&);
+    double spindle_feed_rpm(std::uint16_t spindle) const;
     bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
     bool a_tool_length_offset(const Word&), a_tool_axis_offset(const Word&), a_tool_radius_offset(const Word&);
 
@@ -396,6 +397,7 @@ private:
         std::size_t slot = 0;
     };
     bool is_data_name(std::string_view name) const;
+    bool configuration_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value, bool& known);
     bool data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell);
     bool write_data(const DataCell& cell, const std::string& name, double value, const char* from, std::size_t length);
     void tell_written_zeros();

@@ -71,6 +71,7 @@ struct Modal {
     AxisValues feed_radius{};         // FGREF, mm; 0 as delivered
     AxisValues feed_limit{};          // FL, mm/min or deg/min; 0 none
     AxisValues axis_feed{};           // FA, mm/min or deg/min; 0 none
+    std::array<double, kMaxSpindles + 1> spindle_feed{};   // FA of a spindle that is positioned, deg/min; 0: in rapid
     std::int64_t tool_selected = -1;  // T that waits for M6; -1 none
     std::int64_t tool = 0;            // active tool
     int edge = 0;                     // active D

@@ -21,7 +21,12 @@ bool Interpreter::a_axis_feed(const Word& word) {
     for (const Word& other : block_.words) count += other.address == word.address;
     if (count > kMostFeeds) return fail_word(Alarm::FunctionsTooMany, word, "FA");
     if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FA");
-    if (word.axis < 0) return a_without_effect(word);   // a spindle positions as fast as it can
+    if (word.axis < 0) {   // of the positions that follow, that of its own block included (8.4, 8.5)
+        const int n = word.index > 0 ? word.index : modal_.master_spindle;
+        if (n < 1 || n > static_cast<int>(kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail_word(Alarm::SpindleNumberIllegal, word, {}, n);
+        modal_.spindle_feed[static_cast<std::size_t>(n)] = word.number();
+        return true;
+    }
     const bool rotary = core_.view().axes[static_cast<std::size_t>(word.axis)].rotary;
     modal_.axis_feed[static_cast<std::size_t>(word.axis)] = word.number() * (rotary ? 1.0 : feed_unit());
     return true;

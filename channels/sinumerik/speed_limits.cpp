@@ -80,6 +80,8 @@ bool Interpreter::refresh_speed(bool said) {
 
 // LIMS: the highest speed under G96, G961, G97; never above that of G26.
 bool Interpreter::a_limit(const Word& word) {
+    constexpr std::ptrdiff_t kMostLimits = 4;   // in a block (7.3)
+    if (std::count_if(block_.words.begin(), block_.words.end(), [&](const Word& other) { return other.address == word.address; }) > kMostLimits) return fail_word(Alarm::FunctionsTooMany, word, "LIMS");
     return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
         keep_spindle_data("SD43230", word.number());
         return refresh_speed(true);

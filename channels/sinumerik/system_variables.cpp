@@ -50,7 +50,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$P_SVC", "$P_S_TYPE", "$P_GWPS", "$PA_FGROUP", "$PA_FGREF", "$P_FGROUP_MASK", "$AC_FGROUP_MASK", "$AA_FGROUP", "$AA_FGREF", "$AC_TOFF", "$AC_TOFFL", "$AC_TOFFR", "$AC_FZ", "$AC_F_TYPE", "$AC_SVC", "$AC_S_TYPE",
         "$P_APR", "$P_AEP", "$P_APDV", "$P_PFRAME", "$P_ACTFRAME", "$P_IFRAME", "$P_ACTBFRAME", "$P_BFRAME", "$P_CHBFRAME", "$P_GFRAME", "$P_GFR", "$AC_LIFTFAST", "$AA_ACC",
         "$AA_IM", "$AA_IW", "$AA_MM", "$AA_MW", "$AC_MEA", "$AC_DELT", "$AA_DELT", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
-        "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
+        "$AN_LANGUAGE_ON_HMI", "$AA_OFF", "$AA_OFF_VAL", "$AA_LEAD_SP", "$AA_LEAD_SV", "$AA_ESR_TRIGGER", "$P_TOOLFRAME", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
     return name.starts_with("$TC_DP") || name.starts_with("$TC_MOP") || name == "$TC_TP9" || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO" || grinding_parameter(name);
@@ -109,6 +109,10 @@ bool Interpreter::system_value(Value& value) {
     if (name == "$P_EP") {
         if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
         return value = Value::of_real(shown(place(0), path.programmed[static_cast<std::size_t>(place(0))]) / unit()), true;
+    }
+    if (name == "$AA_OFF" || name == "$AA_OFF_VAL") {   // nothing is overlaid (sinumerik_part2 13.11)
+        if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+        return need_fresh() && (value = Value::of_real(0.0), true);
     }
     if (name == "$AA_FXS") {
         if (place(0) < 0 || place(0) >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
@@ -175,9 +179,12 @@ bool Interpreter::system_value(Value& value) {
     }
     if (bool known = false; !geometry_value(name, indices, value, known)) return fault_column_ = cursor_.column(from), fault_length_ = length, false;
     else if (known) return true;
+    if (bool known = false; !configuration_value(name, indices, from, length, value, known)) return false;
+    else if (known) return true;
     DataCell data;
     if (!data_cell(name, indices, from, length, data)) return false;
     if (data.row) {
+        if (data.row->type == params::Type::Text) return value = Value::of_text(std::string(params::text_at(core_.view().table(), data.slot))), true;
         const double cell = core_.view().table().numbers[data.slot];
         return value = data.row->type == params::Type::Real ? Value::of_real(cell) : Value::of_int(cell), true;
     }
@@ -302,6 +309,7 @@ bool Interpreter::write_system(const std::string& name, const std::vector<Value>
     }
     if (bool known = false; !write_geometry(name, indices, value, known)) return fault_column_ = cursor_.column(from), fault_length_ = length, false;
     else if (known) return true;
+    if (is_data_name(name) && !name.starts_with("$S")) return fail_at(Alarm::SystemVariableReadOnly, from, length, name);
     DataCell data;
     if (!data_cell(name, indices, from, length, data)) return false;
     if (data.row) {

@@ -64,7 +64,7 @@ bool Interpreter::select_tool(const Word& word) {
     }
     core_.aux('T', static_cast<double>(number), fmt::format("T{}", number), false);
     modal_.tool_selected = number;
-    return settings_.tool_by_m6 ? true : change_tool();
+    return settings_.tool_by_m6 && number != 0 ? true : change_tool();   // T0 deselects the tool at once on either machine (5.1)
 }
 
 bool Interpreter::change_tool() {

@@ -27,7 +27,7 @@ bool convert(Value& value, Type to) {
             break;
         case Type::Int:
             value.number = std::floor(value.number + 0.5);
-            if (!(std::fabs(value.number) <= 2147483648.0)) return false;
+            if (!(value.number >= -2147483648.0 && value.number <= 2147483647.0)) return false;
             break;
         case Type::String:
             if (value.type == Type::Char) value.text = value.number == 0 ? std::string() : std::string(1, static_cast<char>(value.number));

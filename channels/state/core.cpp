@@ -203,6 +203,14 @@ bool Core::vector_pending() const {
     return false;
 }
 
+bool Core::travel_offset(bool at_rapid) {
+    const AxisValues here = path.programmed;
+    offset_alone_ = true;
+    const bool done = at_rapid ? rapid(here) : linear(here);
+    offset_alone_ = false;
+    return done;
+}
+
 AxisSet Core::plane_axes(int& p, int& q) const {
     static constexpr PlaneRole kRoles[3][2] = {
         {PlaneRole::BasicX, PlaneRole::BasicY}, {PlaneRole::BasicZ, PlaneRole::BasicX}, {PlaneRole::BasicY, PlaneRole::BasicZ}};

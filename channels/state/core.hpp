@@ -219,6 +219,7 @@ public:
     void set_shift(const AxisValues& shift);              // tool offset as a shift
     void set_wanted(const AxisValues& vector);            // tool offset that the next move travels
     bool vector_pending() const;
+    bool travel_offset(bool rapid);                       // at once, where the programmed point is: no piece of the contour that is compensated
     void take_wanted();                                   // the vector holds without a move: the programmed numbers change
     // The whole chain of programmable frames as one, invertible; Frame{} for none.
     void set_frame(const Frame& frame);
@@ -340,6 +341,7 @@ public:
     bool spindle_least(double rpm);                       // surface speed turns it no slower
     // Until switched off, positions are told beside the path: nobody waits for them (SPOSA).
     void position_beside(bool on) { spindle_beside_ = on; }
+    void position_feed(double rpm) { position_feed_rpm_ = rpm; }   // of the angles that follow; 0: in rapid
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     // Another spindle than the one that S means: absolute the shorter way, or by so much. `closed`: its loop is closed already (a word under the
     // spindle's own address, N0817), else the M code behind it closes it. feed_rpm 0: in rapid.
@@ -474,6 +476,7 @@ private:
     AxisSet stops_ = 0, stops_met_ = 0;     // meet_stop(); and those that met it
     bool skip_due_ = false, measure_due_ = false, skip_passes_ = false;
     AxisSet measured_ = 0;
+    bool offset_alone_ = false;
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;
     AxisValues skip_target_{}, skip_point_{};

@@ -154,6 +154,7 @@ void Core::deliver() {
     move_.exact_stop = (exact_once_ || path.exact_stop_mode) && !path.exact_stop_off;
     move_.in_position = move_.exact_stop;
     move_.override_locked = path.override_locked;
+    move_.offset_alone = offset_alone_;
     exact_once_ = false;
     emitted_ = true;
     ++moves_;

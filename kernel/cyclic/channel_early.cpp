@@ -20,6 +20,25 @@ std::uint64_t ChannelRunner::end_of_few_blocks(std::uint64_t most) const noexcep
     return end;
 }
 
+bool ChannelRunner::holds_surface_speed() const noexcept {
+    return speaks() == Dialect::Sinumerik && segment_ && moving_rapid_ && !thread_moving_ && program_runs();
+}
+
+std::optional<double> ChannelRunner::cut_begins_at(std::uint32_t axis) const noexcept {
+    if (at_boundary_ || cursor_ >= visible_end_ || !is_motion(record(cursor_)) || !(record(cursor_).flags & kRapid)) return std::nullopt;
+    std::uint64_t last = cursor_;   // of the block under way
+    while (!(record(last).flags & kBlockEnd) && last + 1 < visible_end_ && is_motion(record(last + 1))) ++last;
+    std::uint64_t next = last + 1;
+    while (next < visible_end_ && !is_motion(record(next)) && !stops_path(record(next))) ++next;   // what is only told in passing
+    if (next >= visible_end_ || !is_motion(record(next)) || (record(next).flags & kRapid)) return std::nullopt;
+    const PathRecord& r = record(last);
+    SlotVector position;
+    if (!drives_at(r, kinematics_of(r), r.length, position)) return std::nullopt;
+    for (std::uint32_t i = 0; i < r.axis_count; ++i)
+        if (r.axis[i] == axis) return position[i];
+    return std::nullopt;
+}
+
 // What may begin while the rapid move in front of it is still driven: a code of its own block that stands behind that block's end.
 bool ChannelRunner::may_begin_in_rapid() noexcept {
     constexpr std::uint32_t kWhole = kRapid | kBlockEnd, kNever = kInPosition | kSkipMove | kFixedStop | kReference | kThread;

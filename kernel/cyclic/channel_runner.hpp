@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -140,6 +141,10 @@ public:
     // fanuc_lathe 6.3.4: nothing of the block is under way but the code that the PLC has; not where nobody waits for its end.
     bool distribution_ended() const noexcept { return phase_ == Phase::Handshake && !unfinished_ && at_rest(); }
     bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
+    // channel_early.cpp: rapid moves, and what stands behind them, keep the speed of constant surface speed as it is; one under way
+    // gives it the speed of the cut that follows directly, which begins with this axis there.
+    bool holds_surface_speed() const noexcept;
+    std::optional<double> cut_begins_at(std::uint32_t axis) const noexcept;
     std::uint32_t number() const noexcept { return number_; }
     bool path_moves() const noexcept { return moving_; }
     double path_speed() const noexcept { return moving_ ? step_.speed : 0.0; }   // mm/s

@@ -139,6 +139,7 @@ private:
     std::array<std::int32_t, kMaxSpindles> rotation_{};         // that acts: SP_ROT, unless a cut still needs the one before
     std::array<std::int32_t, kMaxChannels> chosen_spindle_{};   // CP_SSEL as it was
     void run_spindles() noexcept;
+    double surface_position(SpindleUnit& spindle) const noexcept;
     void retract_gear(std::uint32_t channel) noexcept;
     // retract.cpp: out of the work when a partner has died or the mains fail
     void retract_work(std::uint32_t channel) noexcept;

@@ -112,6 +112,17 @@ std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
     return rotation_[s];
 }
 
+// Sinumerik: no change of speed during rapid moves; the one right in front of a cut has its speed already (sinumerik_part1 7.3).
+double Machine::surface_position(SpindleUnit& spindle) const noexcept {
+    const std::uint32_t axis = spindle.surface_axis();
+    double& position = spindle.surface_position;
+    const std::uint32_t owner = spindle.mode() == SpindleUnit::Mode::SurfaceSpeed ? spindle.locked_by : 0;
+    const bool holds = owner != 0 && !spindle.demanded_anew() && channels_[owner - 1]->holds_surface_speed();
+    if (!holds) position = core_.axes[axis].target();
+    else if (const auto next = channels_[owner - 1]->cut_begins_at(axis)) position = *next;
+    return position;
+}
+
 void Machine::run_spindles() noexcept {
     choose_spindles();
     share_drives();
@@ -138,7 +149,7 @@ void Machine::run_spindles() noexcept {
         in.muted = plc(signals::sp_sdetchr) != 0 || (shared_drives_[s] && shared_drives_[s]->user() == SharedDrive::User::Axis);
         in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : operator_share(spindle);
         in.most_rpm = spindle.owner && core_.signals.plc(signals::cp_setup(spindle.owner)) ? spindle.config().setup_rpm : kUnlimited;
-        in.axis_position = core_.axes[spindle.surface_axis()].target();
+        in.axis_position = surface_position(spindle);
         const bool fluctuated = spindle.fluctuates(), could_orient = !spindle.cannot_orient();
         const SpindleUnit::Fault fault = spindle.fault();
         spindle.step(in);

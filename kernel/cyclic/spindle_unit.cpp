@@ -93,9 +93,8 @@ double SpindleUnit::wanted(const SpindleInput& in) const noexcept {
 }
 
 bool SpindleUnit::demand_position(double degrees, SpindleApproach how, double feed_rev_s) noexcept {
-    // At rapid N0320, or at a feed, which N0328 holds.
-    const double fastest = range().feed_max > 0 ? range().feed_max : range().rapid;
-    if (closed()) positioner_.limits({feed_rev_s > 0 ? std::fmin(feed_rev_s, fastest) : range().rapid, range().acceleration, range().jerk});
+    wanted_feed_ = feed_rev_s;
+    if (closed()) positioner_.limits({position_speed(), range().acceleration, range().jerk});
     in_position_ = false;
     waited_s_ = 0;
     if (how == SpindleApproach::Incremental) {
@@ -108,6 +107,12 @@ bool SpindleUnit::demand_position(double degrees, SpindleApproach how, double fe
     if (closed() && config_.search_always && !config_.absolute) search_again_ = true;
     else if (closed()) aim(positioner_.speed() != 0);
     return true;
+}
+
+// At rapid N0320, or at a feed, which N0328 holds.
+double SpindleUnit::position_speed() const noexcept {
+    const double fastest = range().feed_max > 0 ? range().feed_max : range().rapid;
+    return wanted_feed_ > 0 ? std::fmin(wanted_feed_, fastest) : range().rapid;
 }
 
 void SpindleUnit::aim(bool moving) noexcept {
@@ -129,7 +134,7 @@ void SpindleUnit::open_loop() noexcept {
 void SpindleUnit::close_loop(const SpindleInput& in, bool orient) noexcept {
     const double speed = observer_.speed() / 360.0;
     const double here = from_zero(observer_.angle() / 360.0);
-    positioner_.limits({range().rapid, range().acceleration, range().jerk});
+    positioner_.limits({orient ? position_speed() : range().rapid, range().acceleration, range().jerk});
     positioner_.take_over(loop_controller_.close(here, std::fabs(ramped_) > 0 ? speed : 0.0, range(), gain(), feedforward()), std::fabs(ramped_) > 0 ? speed : 0.0);
     last_position_ = positioner_.position();
     backlash_ = 0;

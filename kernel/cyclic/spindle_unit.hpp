@@ -69,6 +69,9 @@ public:
     void watch_fluctuation(bool on, double time_s, double start_percent, double percent, double rpm) noexcept { watch_.fluctuation(on, time_s, start_percent, percent, rpm); }
     Mode mode() const noexcept { return mode_; }
     std::uint32_t surface_axis() const noexcept { return surface_axis_; }  // from 0
+    // Where that axis counts as standing: it is, unless a rapid move holds the speed (Machine::surface_position).
+    double surface_position = 0;
+    bool demanded_anew() const noexcept { return fresh_demand_; }
     double surface_centre() const noexcept { return surface_centre_; }
 
     void step(const SpindleInput& in) noexcept;
@@ -132,6 +135,7 @@ private:
     void close_loop(const SpindleInput& in, bool orient) noexcept;
     void open_loop() noexcept;
     void aim(bool moving) noexcept;
+    double position_speed() const noexcept;   // rev/s
     double ramp(double dt) noexcept;
     double closed_speed(const SpindleInput& in) noexcept;
     void read_encoder(const SpindleInput& in, const PolyturnDriveStatus& status) noexcept;
@@ -164,6 +168,7 @@ private:
     double zero_ = 0;                       // revolutions of the zero pulse (or switch) by the encoder
     double wanted_angle_ = 0;               // revolutions, where M19 goes
     SpindleApproach wanted_how_ = SpindleApproach::Shortest;
+    double wanted_feed_ = 0;                // rev/s; 0: in rapid
     double approach_rpm_ = 0, waited_s_ = 0, backlash_ = 0, last_position_ = 0;
     double interpolated_ = 0, coupled_to_ = 0, coupled_a_ = 0;
     bool coupled_ = false, follows_well_ = false, muted_ = false;

@@ -51,6 +51,43 @@ TEST(Spindle, KeepsTheSurfaceSpeedWithinItsLimit) {
     EXPECT_NEAR(rig.machine->core().spindles[0].command(), 1200, 1e-9);
 }
 
+// sinumerik_part1 7.3: rapid moves change no speed; the one right in front of a cut brings the speed for it.
+TEST(Spindle, KeepsItsSurfaceSpeedInRapidMovesOfSinumerik) {
+    TickRig rig([](params::Table& t, RunOptions& o) {
+        params::put_text(t, params::pt_language, "sinumerik", 1);
+        o.start_known[0] = 1, o.start_position[0] = 50;
+    });
+    rig.place(1, 0, 50);
+    PathRecord css = rig.blank(1, RecordKind::SpindleMode);
+    css.spindle = 1;
+    css.code = static_cast<std::int32_t>(SpindleModeCode::SurfaceSpeed);
+    css.value = 150;
+    css.axis[0] = 0;
+    rig.push(1, css);
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.push(1, rig.dwell(1, 1.5));
+    rig.push(1, rig.line(1, {-20, 0}, 0, kRapid | kInPosition));
+    rig.push(1, rig.line(1, {0, -20}, 0, kRapid));
+    rig.start(1);
+    const auto rpm = [](double radius) { return 1000 * 150 / (2 * 3.14159265 * radius); };
+    double most = 0, least = 1e9;
+    rig.on_tick = [&] {
+        if (rig.speed_of(1) == 0 && rig.speed_of(2) == 0) return;
+        most = std::max(most, rig.machine->core().spindles[0].command());
+        least = std::min(least, rig.machine->core().spindles[0].command());
+    };
+    rig.run_until_idle();
+    EXPECT_NEAR(least, rpm(50), 0.1);
+    EXPECT_NEAR(most, rpm(50), 0.1) << "the first rapid move ends at a radius of 30";
+    most = 0, least = 1e9;
+    rig.push(1, rig.line(1, {-10, 0}, 0, kRapid));
+    rig.push(1, rig.line(1, {0, 10}, 50));
+    rig.run(20);
+    EXPECT_NEAR(rig.machine->core().spindles[0].command(), rpm(20), 0.1) << "the cut begins at a radius of 20";
+    rig.run_until_idle();
+    EXPECT_NEAR(most, rpm(20), 0.1);
+}
+
 TEST(Spindle, IsOwnedByTheChannelThatNeedsItsSurfaceSpeed) {
     TickRig rig;
     PathRecord css = rig.blank(1, RecordKind::SpindleMode);

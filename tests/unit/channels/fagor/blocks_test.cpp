@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../play.hpp"
+#include "../quiet_sink.hpp"
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::channels::testing {
@@ -195,6 +196,74 @@ TEST(FagorCompensation, AGrooveNarrowerThanTheNoseIsPassedOver) {
     EXPECT_EQ(points(shoulder), "60,40 30,10 30,0 33,0 33,-20 80,-20") << shoulder.events;
     const Played flat = with_round_nose("G42 N10 G1 X30 Z10 F100\nZ0\nX29\nZ-10\nX30\nZ-20");
     EXPECT_EQ(points(flat), "60,40 32,10 32,-2 31,-2 31,-8 32,-8 32,-20 80,-20") << flat.events;
+}
+
+// [5.5] the flags of the M table: 1 nobody waits for AUXEND.
+struct ToldFunctions final : QuietSink {
+    std::vector<std::string> with_wait, without;
+    void aux(const Aux& a, const BlockContext&) override { (a.beside ? without : with_wait).emplace_back(a.text); }
+};
+
+TEST(FagorFunctions, AreWaitedForUnlessTheTableSaysNot) {
+    const auto table = lathe({"FG.MFUN[0] L1=21", "FG.MFLAGS[0] L1=1", "FG.MFUN[1] L1=22", "FG.MFLAGS[1] L1=0"});
+    MachineView view = make_machine_view(*table, 1);
+    ProgramFiles files;
+    ToldFunctions told;
+    const text::Setup setup;
+    CheckPort port(setup, 1, true);
+    const auto main = files.open_text("M21\nM22\nM23\nM30\n", "test.nc");
+    const auto language = make_language("fagor", view, told, port, files);
+    ASSERT_TRUE(language->start(*main).ok());
+    language->core().start_at_machine(view.start);
+    run_to_end(*language);
+    EXPECT_EQ(told.without, std::vector<std::string>{"M21"});
+    EXPECT_EQ(told.with_wait, (std::vector<std::string>{"M22", "M23"}));
+}
+
+// [8.3] what does not fit is the rounding or chamfer at the end of the block: the block itself is driven, up to the corner.
+TEST(FagorCompensation, ACornerElementSmallerThanTheNoseIsLeftOutAlone) {
+    for (const char* element : {"G36 R1", "G39 R1"}) {
+        const Played played = with_round_nose("G42 N5 G1 X30 Z10 F100\n" + std::string(element) + " Z-20\nX60");
+        EXPECT_EQ(points(played), "60,40 32,10 32,-18 60,-18 80,-20") << element << played.events;
+        EXPECT_TRUE(played.has({"\"line\":5", std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << played.events;
+    }
+    EXPECT_TRUE(with_round_nose("G42 N5 G1 X30 Z10 F100\nG36 R3 Z-20\nX60").has({"\"radius\":1"}));
+}
+
+// [part 2, 9.1.2] a rounding may stand in a line between the two of its corner; part and blank.
+TEST(FagorProfile, TakesARoundingBetweenItsBlocks) {
+    const auto cut = [](const char* first) {
+        return points(play("G18 G71 G90 G94 G152\nT1 D1\nG0 X60 Z4 F100\nG68 X20 Z0 C4 D1 L0.5 M0.5 F50 S100 E110\nM30\n" + std::string(first) +
+                               "\nG01 X40 Z-15\nG01 Z-30\nG00 X50 Z0\nN110 G01 X50 Z-30\n", fagor()));
+    };
+    const std::string together = cut("N100 G01 G36 R2 X20 Z-15");
+    EXPECT_NE(together.find("20.5,-12.5 22.5,-14.5"), std::string::npos) << together;
+    EXPECT_EQ(cut("N100 G01 X20 Z-15 ; to the shoulder\nG36 R2"), together);
+}
+
+// [part 2, 9.1.5] an inner radius that the nose does not fit into is closed, with a warning, before anything is cut.
+TEST(FagorProfile, IsClosedForTheNoseOfTheFinishingPass) {
+    const auto finished = [](const char* code, const char* corner) {
+        const std::string program = "G18 G71 G90 G94 G152\nT1 D1\nG0 X60 Z4 F100\n" + std::string(code) + " X20 Z0 " + (code == std::string("G66") ? "I8 C4" : "C4 D1") +
+                                    " L0.5 M0.5 H80 S10 E20\nM30\nN10 G1 " + corner + "\nX40\nN20 G1 Z-20\n";
+        Played played = play(program, fagor(), [](MachineView& view) {
+            view.store->offsets[1].geometry_r = 2;
+            view.store->offsets[1].tip = 0;
+        });
+        std::string compensated;
+        for (const std::string& line : played.lines())
+            if (line.find("\"comp\"") != std::string::npos) compensated += line.substr(line.find("\"pos\""), line.find("}", line.find("\"pos\"")) - line.find("\"pos\"")) + '\n';
+        return std::pair{played, compensated};
+    };
+    for (const char* code : {"G66", "G68", "G69"}) {
+        const auto [closed, path] = finished(code, "Z-10\nG2 X21 Z-11 R1\nG1");
+        const auto [sharp, same] = finished(code, "Z-11");
+        EXPECT_EQ(closed.errors, 0u) << code << closed.events;
+        EXPECT_TRUE(closed.has({std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << code << closed.events;
+        EXPECT_FALSE(sharp.has({std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))})) << code;
+        EXPECT_FALSE(path.empty()) << code << closed.events;
+        EXPECT_EQ(path, same) << code;
+    }
 }
 
 }  // namespace

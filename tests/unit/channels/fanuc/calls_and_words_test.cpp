@@ -236,6 +236,49 @@ TEST(Compensation, NeedsRoomInAnInnerChamfer) {   // fanuc_lathe 3.16
     EXPECT_EQ(shoulder(",C.3", "X30.").errors, 0u) << shoulder(",C.3", "X30.").events;   // an outer one
 }
 
+TEST(Compensation, TakesCornerElementsBetweenLinesAtRightAnglesOnly) {   // fanuc_lathe 3.16
+    const auto nose = [](MachineView& view) { view.store->offsets[1].geometry_r = 0.5; };
+    const auto corner = [&](const std::string& first, const std::string& next, const char* side) {
+        return play(std::string("G98 F100 T0101\n") + side + " G1 X40. Z2.\nZ-5.\n" + first + "\n" + next + "\nW-9.\nM30\n", Play{}, nose);
+    };
+    for (const char* element : {",C2.", ",R2."}) {
+        EXPECT_TRUE(corner(std::string("Z-20. ") + element, "X60. Z-30.", "G42").has({R"("line":5)", R"("number":52)"})) << element;
+        EXPECT_TRUE(corner(std::string("X44. Z-20. ") + element, "X60.", "G42").has({R"("line":4)", R"("number":54)"})) << element;
+        EXPECT_EQ(corner(std::string("Z-20. ") + element, "X60. Z-20.15", "G42").errors, 0u) << element << ": less than a degree";
+        EXPECT_EQ(corner(std::string("X44. Z-20. ") + element, "X60. Z-30.", "G40").errors, 0u) << element;
+    }
+}
+
+// fanuc_lathe 1.4 and 3.12: T alone travels the change of the wear at the block's end; no piece of the contour, as any block without movement.
+TEST(Compensation, AnotherWearIsNoPieceOfTheContour) {
+    const auto two = [](MachineView& view) {
+        for (const std::size_t n : {1u, 2u}) view.store->offsets[n].geometry_r = 0.4, view.store->offsets[n].tip = 3;
+        view.store->offsets[2].wear[0] = 1.0, view.store->offsets[2].wear[2] = 0.5;
+    };
+    const Played played = play("G98 F100\nT0101\nG42 G0 X40. Z2.\nG1 Z-10.\nT0102\nZ-20.\nX50.\nZ-30.\nG40 G0 X60.\nM30\n", Play{}, two);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("line":4)", R"("pos":{"X":40,"Z":-10.4)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("line":5)", R"("pos":{"X":40,"Z":-10.4)", R"("machine":{"X":20.5,"Z":-9.9)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("line":6)", R"("pos":{"X":40,"Z":-20)", R"("machine":{"X":20.5,"Z":-19.5)"})) << played.events;
+}
+
+TEST(Jump, FindsItsBlockBehindAComment) {
+    for (const char* language : {"fanuc", "nct"}) {
+        Play how;
+        how.language = language;
+        const Played played = play("GOTO20\nN10 M8\n(A) / (B) N20 M9\nM98 P30\nM30\n(SUB) O30\nM7\nM99\n", how);
+        EXPECT_TRUE(played.has({R"("code":"M9")"}) && played.has({R"("code":"M7")"}) && !played.has({R"("code":"M8")"})) << played.events;
+    }
+}
+
+TEST(Variables, OfLetterCallsAreNotWritten) {   // nct_parameters_part2 38
+    Play how;
+    how.language = "nct";
+    for (const char* bad : {"#191=1", "#199=1"}) EXPECT_EQ(play(std::string(bad) + "\nM30\n", how).errors, 1u) << bad;
+    for (const char* good : {"#190=1", "#200=1"}) EXPECT_EQ(play(std::string(good) + "\nM30\n", how).errors, 0u) << good;
+    EXPECT_EQ(play("#191=1\nM30\n").errors, 0u);
+}
+
 TEST(Compensation, GoesOnOnItsSideRightBehindItsBeginning) {   // fanuc_lathe 3.9
     Play how;
     const auto nose = [](MachineView& view) { view.store->offsets[1].geometry_r = 0.4; };
