@@ -80,7 +80,7 @@ bool parameter_fits(const std::string& name, int instance, int element, double n
 bool worth_history(const Key& key, std::string_view who) {
     if (key.kind == Kind::Setting || key.kind == Kind::Work || (key.kind == Kind::User && key.name == "hash")) return false;
     if (who != "program") return true;
-    return key.kind <= Kind::WorkZero || (key.kind == Kind::Tool && key.name != "counter");
+    return key.kind <= Kind::WorkZero || key.kind == Kind::Edge || (key.kind == Kind::Tool && key.name != "counter");
 }
 
 // Enough for decades of an operator's entries; bounded, because measuring programs write offsets at every part.

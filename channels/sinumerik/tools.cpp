@@ -4,23 +4,9 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/machine/edge_lengths.hpp"
 
 namespace polyturn::channels::sinumerik {
-namespace {
-
-// L1 L2 L3 of a tool type in a plane, as geometry axes: 0 X, 1 Y, 2 Z, -1 none (sinumerik_part1 6.5).
-void length_axes(int type, unsigned plane, std::array<int, 3>& axes) {
-    // Rows: G17 G18 G19.
-    static constexpr int kMill[3][3] = {{2, 1, 0}, {1, 0, 2}, {0, 2, 1}};
-    static constexpr int kDrill[3][3] = {{2, -1, -1}, {1, -1, -1}, {0, -1, -1}};
-    static constexpr int kTurn[3][3] = {{1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
-    static constexpr int kSlot[3][3] = {{0, 1, 2}, {1, 0, 2}, {2, 1, 0}};
-    const int family = type == 1 ? 1 : type == 2 ? 5 : type / 100;   // SD42950 = 1 and 2 mean milling and turning tools
-    const auto& row = (family == 4 || family == 5 ? kTurn : family == 2 ? kDrill : family == 7 ? kSlot : kMill)[plane];
-    axes = {row[0], row[1], row[2]};
-}
-
-}  // namespace
 
 bool Interpreter::tool_words() {
     const Word* tool = word("T");
@@ -107,9 +93,7 @@ std::array<int, 3> Interpreter::axes_of_lengths() const {
     const int assigned = settings_.length_type ? settings_.length_type : modal_.edge_data ? static_cast<int>(modal_.edge_data->dp[1]) : 0;
     unsigned plane = static_cast<unsigned>(core_.path.plane);
     if (settings_.length_const >= 17 && settings_.length_const <= 19) plane = static_cast<unsigned>(settings_.length_const - 17);
-    std::array<int, 3> axes{};
-    length_axes(assigned, plane, axes);
-    return axes;
+    return axes_of_edge(assigned, plane);
 }
 
 // LENTOAX(VAR ind[3], VAR mat[3,3][, system]): which length acts along abscissa, ordinate and applicate (sinumerik_part3 9.8; numbers, signs

@@ -63,7 +63,7 @@ DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_
             if (!axis.exists() || axis.channel != channel_ || axis.slot == kNoSlot) continue;
             const bool known = desk_.live.workpiece(channel_, axis.slot, desk_.live.status().axes[i].act, workpiece);
             w.text(QRectF(px(14), y, px(60), px(28)), fromView(axis.name_text()), lettering(17, true), t.dim);
-            w.text(QRectF(px(74), y, place_->width() - px(90), px(28)), known ? lengthText(shownPlace(axis, workpiece), decimalsOf(config, axis)) : QString::fromUtf8("–"), lettering(17, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
+            w.text(QRectF(px(74), y, place_->width() - px(90), px(28)), known ? desk_.live.unit(axis).text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(17, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
             y += px(29);
         }
     };

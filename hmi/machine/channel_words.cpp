@@ -1,7 +1,9 @@
 #include "hmi/machine/channel_words.hpp"
 
 #include <cmath>
+#include <cstdio>
 
+#include "hmi/machine/edge_words.hpp"
 #include "hmi/text/tongues.hpp"
 #include "ipc/machine/start_words.hpp"
 #include "ipc/machine/wait_name.hpp"
@@ -148,6 +150,8 @@ QString zeroTitle(const QString& name) { return name == "external" ? word("Exter
 
 QString cellTitle(const QString& what) {
     const QStringList part = what.split(' ');
+    int tool = 0, edge = 0, dp = 0;
+    if (std::sscanf(what.toStdString().c_str(), "tool %d D%d DP%d", &tool, &edge, &dp) == 3) return QString("T%1  D%2  %3").arg(tool).arg(edge).arg(edgeParameterTitle(dp));
     if (part.size() == 3) return QString("%1  %2  %3").arg(part[0], zeroTitle(part[1]), part[2]);
     if (part.size() != 5 || part[1] != "offset") return what;
     const bool wear = part[3] == "wear";

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/machine/lengths.hpp"
 #include "ipc/diagnosis/languages.hpp"
 #include "ipc/image/block_pictures.hpp"
 #include "ipc/machine/angular_axes.hpp"
@@ -56,6 +57,9 @@ public:
     const MachineStatus& status() const { return *status_; }
     const MachineConfig& config() const { return *config_; }
     const params::Table& table() const { return *table_; }
+    LengthUnit unit(unsigned channel) const { return lengthUnit(*config_, channel); }       // in which its lengths are shown and entered
+    LengthUnit unit(const AxisConfig& axis) const { return lengthUnit(*config_, axis); }
+    LengthUnit commonUnit() const { return hmi::commonUnit(*config_); }
     const ChannelView& view(unsigned channel) const { return views_[channel - 1]; }
     const ChannelStatus& channel(unsigned number) const { return status_->channels[number - 1]; }
     // In which its program is written: a job may say another one than PT_LANGUAGE. Blocks that the panel gives (MDI) are PT_LANGUAGE's.

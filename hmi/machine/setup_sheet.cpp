@@ -6,7 +6,10 @@
 #include <QFileInfo>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "polyturn/parameter_handles.hpp"
 
@@ -66,19 +69,69 @@ JobSheet readJobSheet(const QString& path, const std::string& machine, Tongue to
 std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet) { return job_zeros(sheet.job, sheet.setup, live.config(), storesOf(live)); }
 std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet) { return job_offsets(sheet.setup, live.config(), storesOf(live)); }
 
-QString zeroText(const JobZero& zero) {
+namespace {
+
+QString zeroNumber(const Live& live, const JobZero& zero, double held) {
+    const AxisConfig* axis = zero.channel >= 1 && zero.channel <= kMaxChannels ? find_axis(live.config(), zero.channel, zero.axis) : nullptr;
+    return (axis ? live.unit(*axis) : live.unit(zero.channel)).text(held, 3);
+}
+
+// $TC_DP12 of the setup file's «DP12»; 0: it is none that is shown.
+int parameterOf(const std::string& name) {
+    int dp = 0, used = 0;
+    return std::sscanf(name.c_str(), "DP%d%n", &dp, &used) == 1 && static_cast<std::size_t>(used) == name.size() && dp >= 1 && dp <= 35 ? dp : 0;
+}
+
+}  // namespace
+
+QString zeroWanted(const Live& live, const JobZero& zero) { return zeroNumber(live, zero, zero.wanted); }
+
+QString zeroText(const Live& live, const JobZero& zero) {
     if (std::isnan(zero.entered)) return word("the machine does not have it");
-    return zero.same() ? word("entered") : word("entered: %1").arg(zero.entered, 0, 'f', 3);
+    return zero.same() ? word("entered") : word("entered: %1").arg(zeroNumber(live, zero, zero.entered));
+}
+
+bool JobEdge::same() const {
+    return std::all_of(values.begin(), values.end(), [](const Value& one) { return std::fabs(one.wanted - one.entered) <= 1e-6; });
+}
+
+// Without tool management programs begin with the edges of the setup file: there is nothing to compare them with.
+std::vector<JobEdge> compareEdges(const Live& live, const JobSheet& sheet) {
+    std::vector<JobEdge> out;
+    if (!live.connected() || !toolsManaged(live)) return out;
+    for (const auto& [channel, own] : sheet.setup.channels)
+        for (const auto& [number, tool] : own.tools)
+            for (const auto& [edge, values] : tool.edges) {
+                JobEdge one{static_cast<unsigned>(channel), {static_cast<std::int32_t>(number), edge}, {}};
+                for (const auto& [name, wanted] : values)
+                    if (const int dp = parameterOf(name)) one.values.push_back({dp, wanted, edgeOf(live, one.line) ? edgeValue(live, one.line, dp) : std::numeric_limits<double>::quiet_NaN()});
+                std::sort(one.values.begin(), one.values.end(), [](const auto& a, const auto& b) { return a.dp < b.dp; });
+                if (!one.values.empty()) out.push_back(std::move(one));
+            }
+    return out;
+}
+
+QString edgeText(const Live& live, const JobEdge& edge, OffsetSide side, OffsetPart part, bool all) {
+    QStringList out;
+    for (const JobEdge::Value& one : edge.values) {
+        const bool wear = is_edge_wear(one.dp), same = std::fabs(one.wanted - one.entered) <= 1e-6;
+        if (wear != (part == OffsetPart::Wear) || (same && (!all || (wear && one.wanted == 0)))) continue;
+        const double value = side == OffsetSide::Wanted ? one.wanted : one.entered;
+        if (std::isnan(value)) return word("the machine does not have it");
+        const QString title = wear && isLength(one.dp) ? edgeParameterTitle(kDpLength + lengthOf(one.dp)) : edgeParameterTitle(one.dp);
+        out << title + " " + (one.dp == kDpType || one.dp == kDpTip ? QString::number(value, 'f', 0) : live.unit(edge.channel).text(value, 3));
+    }
+    return out.join("  ");
 }
 
 // A tip's direction has no fraction; wear that is 0 on both sides need not be told.
-QString offsetText(const JobOffset& offset, OffsetSide side, OffsetPart part, bool all) {
+QString offsetText(const Live& live, const JobOffset& offset, OffsetSide side, OffsetPart part, bool all) {
     QStringList out;
     for (const JobOffset::Value& one : offset.values) {
         if (one.wear != (part == OffsetPart::Wear) || (one.same() && (!all || (one.wear && one.wanted == 0)))) continue;
         const double value = side == OffsetSide::Wanted ? one.wanted : one.entered;
         if (std::isnan(value)) return word("the machine does not have it");
-        out << fromView(one.name) + " " + QString::number(value, 'f', one.name == "T" ? 0 : 3);
+        out << fromView(one.name) + " " + (one.name == "T" ? QString::number(value, 'f', 0) : live.unit(offset.channel).text(value, 3));
     }
     return out.join("  ");
 }
@@ -96,6 +149,10 @@ QString jobDiffers(const Live& live, const JobSheet& sheet) {
     if (sheet.otherMachine) out << word("The job is for another machine: %1").arg(QFileInfo(QString::fromStdString(sheet.job.machine)).fileName());
     if (!zeros.isEmpty()) out << word("Other zeros than the job's hold: %1").arg(zeros.join(", "));
     if (!offsets.isEmpty()) out << word("Other offsets than the job's hold: %1").arg(offsets.join(", "));
+    QStringList edges;
+    for (const JobEdge& one : compareEdges(live, sheet))
+        if (!one.same()) edges << QString("L%1 T%2 D%3").arg(one.channel).arg(one.line.tool).arg(one.line.edge);
+    if (!edges.isEmpty()) out << word("Other edges than the job's hold: %1").arg(edges.join(", "));
     if (!sheet.setupFault.isEmpty()) out << sheet.setupFault;
     return out.join(".  ");
 }
@@ -114,12 +171,12 @@ QString sheetText(const Live& live, const JobSheet& sheet) {
     QString rows;
     for (const auto& [channel, program] : job.programs) rows += cells({QString("L%1").arg(channel), QFileInfo(QString::fromStdString(program.file)).fileName(), QString::fromStdString(program.language)}, "td");
     html += table(rows);
-    if (job.stock) html += headline(word("Stock")) + "<p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
+    if (job.stock) html += headline(word("Stock")) + "<p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(numberText(live.commonUnit().of(job.stock->diameter), 4), numberText(live.commonUnit().of(job.stock->length), 4), live.commonUnit().name(), QString::fromStdString(job.stock->spindle)) + "</p>";
     if (sheet.otherMachine) html += headline(word("Machine")) + "<p>" + QFileInfo(QString::fromStdString(job.machine)).fileName().toHtmlEscaped() + ": " + word("not this one") + "</p>";
     if (const auto zeros = compareZeros(live, sheet); !zeros.empty()) {
         html += headline(word("Zeros"));
         rows = cells({word("Channel"), word("Zero"), word("Wanted"), word("Entered")}, "th");
-        for (const JobZero& one : zeros) rows += cells({QString("L%1").arg(one.channel), QString::fromStdString(one.system + " " + one.axis), QString::number(one.wanted, 'f', 3), zeroText(one)}, "td");
+        for (const JobZero& one : zeros) rows += cells({QString("L%1").arg(one.channel), QString::fromStdString(one.system + " " + one.axis), zeroWanted(live, one), zeroText(live, one)}, "td");
         html += table(rows);
     }
     html += headline(word("Required tools"));
@@ -131,9 +188,20 @@ QString sheetText(const Live& live, const JobSheet& sheet) {
         rows = cells({word("Channel"), word("No."), word("Wanted"), word("Entered")}, "th");
         for (const JobOffset& one : offsets)
             for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
-                const QString wanted = offsetText(one, OffsetSide::Wanted, part, true), entered = offsetText(one, OffsetSide::Entered, part, false);
+                const QString wanted = offsetText(live, one, OffsetSide::Wanted, part, true), entered = offsetText(live, one, OffsetSide::Entered, part, false);
                 const QString number = part == OffsetPart::Wear ? QString("%1 %2").arg(one.number).arg(word("Wear")) : QString::number(one.number);
                 if (!wanted.isEmpty()) rows += cells({QString("L%1").arg(one.channel), number, wanted, entered.isEmpty() ? word("entered") : entered}, "td");
+            }
+        html += table(rows);
+    }
+    if (const auto edges = compareEdges(live, sheet); !edges.empty()) {
+        html += headline(word("Tool edges"));
+        rows = cells({word("Channel"), word("Tool"), word("Wanted"), word("Entered")}, "th");
+        for (const JobEdge& one : edges)
+            for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
+                const QString wanted = edgeText(live, one, OffsetSide::Wanted, part, true), entered = edgeText(live, one, OffsetSide::Entered, part, false);
+                const QString name = edgeTitle(live, one.line);
+                if (!wanted.isEmpty()) rows += cells({QString("L%1").arg(one.channel), part == OffsetPart::Wear ? QString("%1 %2").arg(name, word("Wear")) : name, wanted, entered.isEmpty() ? word("entered") : entered}, "td");
             }
         html += table(rows);
     }

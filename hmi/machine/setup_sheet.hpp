@@ -1,5 +1,6 @@
 // The setup sheet of a job: what it needs beside what is mounted and entered, on the screen and on paper (PDF).
 #pragma once
+#include "hmi/machine/edge_words.hpp"
 #include "hmi/machine/file_text.hpp"
 #include "hmi/machine/tool_words.hpp"
 #include "ipc/machine/job_differences.hpp"
@@ -26,11 +27,25 @@ struct JobSheet {
 JobSheet readJobSheet(const QString& path, const std::string& machine, Tongue tongue);
 // The zeros and offsets that the job and its setup file name, beside those that are entered: selecting the job leaves them as they are.
 std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet);
-QString zeroText(const JobZero& zero);           // «-150.000», and beside it what is entered
+QString zeroWanted(const Live& live, const JobZero& zero);   // «-150.000», in the unit of its axis
+QString zeroText(const Live& live, const JobZero& zero);     // and what is entered
 std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet);
 enum class OffsetSide : std::uint8_t { Wanted, Entered };
 enum class OffsetPart : std::uint8_t { Geometry, Wear };
-QString offsetText(const JobOffset& offset, OffsetSide side, OffsetPart part, bool all);   // «X 38.12  Z 27.05»; not all: only what is otherwise
+QString offsetText(const Live& live, const JobOffset& offset, OffsetSide side, OffsetPart part, bool all);   // «X 38.12  Z 27.05»; not all: only what is otherwise
+// An edge of a tool that the setup file names ($TC_DPx), beside the one that the channel's tools have.
+struct JobEdge {
+    struct Value {
+        int dp = 0;
+        double wanted = 0, entered = 0;
+    };
+    unsigned channel = 0;
+    EdgeLine line;
+    std::vector<Value> values;
+    bool same() const;
+};
+std::vector<JobEdge> compareEdges(const Live& live, const JobSheet& sheet);
+QString edgeText(const Live& live, const JobEdge& edge, OffsetSide side, OffsetPart part, bool all);
 QString jobDiffers(const Live& live, const JobSheet& sheet);              // in one line; empty: nothing
 // What stands on it, as HTML; then on paper.
 QString sheetText(const Live& live, const JobSheet& sheet);

@@ -51,8 +51,8 @@ QString lifeUnit(unsigned kind) {
     return {};
 }
 
-QString numberText(double value) {
-    QString out = QString::number(value, 'f', 3);
+QString numberText(double value, int decimals) {
+    QString out = QString::number(value, 'f', decimals);
     while (out.contains('.') && (out.endsWith('0') || out.endsWith('.'))) {
         const bool point = out.endsWith('.');
         out.chop(1);

@@ -19,6 +19,6 @@ inline const ToolRow* toolOf(const Live& live, std::int32_t number) {
     return number >= 1 && number <= static_cast<std::int32_t>(kTools) && live.tools().rows[static_cast<std::size_t>(number - 1)].used ? &live.tools().rows[static_cast<std::size_t>(number - 1)] : nullptr;
 }
 const ToolPlace* placeOf(const Live& live, std::int32_t magazine, std::int32_t pot);
-QString numberText(double value);                             // as short as it can be
+QString numberText(double value, int decimals = 3);           // as short as it can be
 
 }  // namespace polyturn::hmi

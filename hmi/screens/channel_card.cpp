@@ -62,20 +62,20 @@ private:
         for (std::size_t place = 0; place < config_.axis_count && y_ + row + foot < size_.height(); ++place) {
             const AxisConfig& axis = live_.config().axis(config_.axes[place]);
             const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
-            const unsigned decimals = decimalsOf(live_.config(), axis);
+            const LengthUnit unit = live_.unit(axis);
             const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
             w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(15, true), at.flags & kMoving ? t_.good : t_.text);
-            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? lengthText(shownPlace(axis, workpiece), decimals) : referenced ? lengthText(shownPlace(axis, at.act), decimals) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
-            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals) : QString(), lettering(13.5), t_.dim, kRight);
+            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? unit.text(shownPlace(axis, workpiece)) : referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
+            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(), lettering(13.5), t_.dim, kRight);
             y_ += row;
         }
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
         const double bottom = size_.height() - px(28), third = wide_ / 3;
         w_.line({left_, bottom}, {left_ + wide_, bottom}, t_.edge, 1);
         w_.text(QRectF(left_, bottom, third, px(24)), view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), view_.known ? t_.text : t_.faint);
-        w_.text(QRectF(left_ + third, bottom, third, px(24)), QString("F %1").arg(status_.path_speed * 60, 0, 'f', 0), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
+        w_.text(QRectF(left_ + third, bottom, third, px(24)), "F " + live_.unit(channel_).speed(status_.path_speed * 60), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
         w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
     }
 
@@ -169,7 +169,7 @@ private:
         for (std::size_t place = 0; place < count && y_ + row < size_.height(); ++place) {
             const AxisConfig& axis = live_.config().axis(config_.axes[place]);
             const AxisStatus& now = live_.status().axes[config_.axes[place] - 1u];
-            const unsigned decimals = decimalsOf(live_.config(), axis);
+            const LengthUnit unit = live_.unit(axis);
             const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
             const bool moving = (now.flags & kMoving) != 0;
             w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(dense_ ? 15 : 19, true), moving ? t_.good : t_.text);
@@ -183,12 +183,12 @@ private:
             }
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
-            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shownPlace(axis, workpiece), decimals) : kDash, narrow ? lettering(16, true, Face::Condensed) : lettering(dense_ ? 16 : 24, true), t_.text, kRight);
+            w_.text(QRectF(at[0], y_, wide[0], row), known ? unit.text(shownPlace(axis, workpiece)) : kDash, narrow ? lettering(16, true, Face::Condensed) : lettering(dense_ ? 16 : 24, true), t_.text, kRight);
             const QFont small = narrow ? lettering(13, false, Face::Condensed) : lettering(dense_ ? 13.5 : 16);
-            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shownPlace(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
-            w_.text(QRectF(at[2], y_, wide[2], row), lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals), small,
+            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? unit.text(shownPlace(axis, now.act)) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(at[2], y_, wide[2], row), unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
-            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(shown(axis, now.error), decimals), small, t_.dim, kRight);
+            w_.text(QRectF(at[3], y_, wide[3], row), unit.text(shown(axis, now.error)), small, t_.dim, kRight);
             y_ += row;
         }
         y_ += gap();
@@ -197,7 +197,7 @@ private:
     // Two tiles: feed and spindle, with what is commanded and the overrides.
     void speeds() {
         const double h = px(dense_ ? 44 : 74), half = (wide_ - px(8)) / 2;
-        tile(QRectF(left_, y_, half, h), Sign::Feed, QString::number(status_.path_speed * 60, 'f', 0), unitWord("mm/min"), feedWords(), status_.feed_override,
+        tile(QRectF(left_, y_, half, h), Sign::Feed, live_.unit(channel_).speed(status_.path_speed * 60), live_.unit(channel_).perMinute(), feedWords(), status_.feed_override,
              QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
         const QRectF right(left_ + half + px(8), y_, half, h);
@@ -232,9 +232,10 @@ private:
     QString feedWords() const {
         if (!view_.known) return {};
         const BlockPicture& p = view_.picture;
+        const LengthUnit unit = live_.unit(channel_);
         switch (static_cast<FeedMode>(p.feed_mode)) {
-            case FeedMode::PerRevolution: return QString("F %1 %2").arg(p.feed, 0, 'g', 5).arg(unitWord("mm/rev"));
-            case FeedMode::PerMinute: return QString("F %1 %2").arg(p.feed, 0, 'g', 6).arg(unitWord("mm/min"));
+            case FeedMode::PerRevolution: return QString("F %1 %2").arg(unit.of(p.feed), 0, 'g', 5).arg(unit.perRevolution());
+            case FeedMode::PerMinute: return QString("F %1 %2").arg(unit.of(p.feed), 0, 'g', 6).arg(unit.perMinute());
             case FeedMode::InverseTime: return QString("F %1 1/%2").arg(p.feed, 0, 'g', 5).arg(unitWord("min"));
             default: return {};
         }
@@ -245,7 +246,10 @@ private:
         if (!view_.known || view_.picture.spindle != spindle) return command;
         const BlockPicture& p = view_.picture;
         const QString limit = p.speed_limit > 0 ? QString(QChar(0x2264)) + QString::number(p.speed_limit, 'f', 0) : QString();
-        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::SurfaceSpeed) return QString("S %1 %2 %3").arg(p.speed, 0, 'g', 5).arg(unitWord("m/min"), limit);
+        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::SurfaceSpeed) {
+            const LengthUnit unit = live_.unit(channel_);
+            return QString("S %1 %2 %3").arg(unit.surface(p.speed), 0, 'g', 5).arg(unit.surfaceName(), limit);
+        }
         if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::Position) return QString("%1%2").arg(p.speed, 0, 'f', 2).arg(QChar(0xB0));
         return command;
     }
@@ -264,7 +268,7 @@ private:
             const QString named = QString::fromUtf8(p.tool_name.data(), static_cast<int>(::strnlen(p.tool_name.data(), p.tool_name.size())));
             if (!named.isEmpty()) tool += "  " + named;
             offset = p.edge > 0 ? QString("D%1").arg(p.edge) : p.geometry > 0 ? QString("%1 %2").arg(word("Offset")).arg(p.geometry) : QString();
-            if (p.nose_radius > 0) offset += QString("  R%1").arg(p.nose_radius, 0, 'g', 4);
+            if (p.nose_radius > 0) offset += QString("  R%1").arg(live_.unit(channel_).of(p.nose_radius), 0, 'g', 4);
             if (p.tip > 0) offset += QString("  %1 %2").arg(word("tip")).arg(p.tip);
         }
         w_.sign(QRectF(left_, y_ + h / 2 - px(9), px(18), px(18)), Sign::Tools, t_.dim);

@@ -32,7 +32,7 @@ CompensationPage::CompensationPage(Desk& desk, QWidget* parent) : QWidget(parent
         const Theme& t = theme();
         if (column == 0) return {title(curve), curve.on ? t.text : t.dim, curve.on ? Sign::Good : Sign::Off, curve.on};
         if (column == 1) return {QString::number(curve.points.size()), t.dim};
-        return {lengthText(largest(curve), 4), t.text};
+        return {lengthText(largest(curve), desk_.live.unit(desk_.live.config().axis(curve.corrected ? curve.corrected : curve.moving)).digits(4)), t.text};
     };
     curves_->onChosen = [this] { points_->choose(0), refresh(); };
     points_->columns = {{word("No."), 1, kRight}, {word("Position"), 1.6, kRight}, {word("Correction"), 1.6, kRight}};
@@ -42,7 +42,8 @@ CompensationPage::CompensationPage(Desk& desk, QWidget* parent) : QWidget(parent
         const auto& point = chosen()->points[static_cast<std::size_t>(row)];
         const bool letters = chosen()->points.size() == 4 && point.number < 4;   // A to D
         if (column == 0) return {letters ? QString(QChar('A' + static_cast<int>(point.number))) : QString::number(point.number), theme().dim};
-        return {lengthText(column == 1 ? point.at : point.value, column == 1 ? 3 : 4), column == 1 ? theme().text : theme().accent};
+        const LengthUnit unit = desk_.live.unit(desk_.live.config().axis(column == 1 || !chosen()->corrected ? chosen()->moving : chosen()->corrected));
+        return {lengthText(column == 1 ? point.at : point.value, unit.digits(column == 1 ? 3 : 4)), column == 1 ? theme().text : theme().accent};
     };
     points_->onChosen = [this] { graph_->refresh(); };
     graph_->onCompose = [this](Writer& w) { composeGraph(w); };
@@ -74,10 +75,11 @@ const CompensationCurve* CompensationPage::chosen() const {
 
 QString CompensationPage::axisName(unsigned axis) const { return QString("A%1 %2").arg(axis).arg(fromView(desk_.live.config().axis(axis).name_text())); }
 
-// As it is stored: X as a radius.
+// As it is stored: in the unit of the axis, X as a radius.
 QString CompensationPage::unitOf(unsigned axis) const {
     const AxisConfig& config = desk_.live.config().axis(axis);
-    return config.rotary ? QString(QChar(0xB0)) : config.diameter ? word("mm, radius") : unitWord("mm");
+    const LengthUnit unit = desk_.live.unit(config);
+    return config.diameter && !config.rotary ? unit.radius() : unit.name();
 }
 
 QString CompensationPage::title(const CompensationCurve& curve) const {
@@ -124,7 +126,7 @@ void CompensationPage::composeGraph(Writer& w) {
     for (int i = -4; i <= 4; ++i) {
         const double y = middle - (bottom - top) / 2 * i / 4;
         w.line({left, y}, {right, y}, i == 0 ? t.dim : t.edge, 1);
-        w.text(QRectF(px(4), y - px(10), left - px(12), px(20)), lengthText(division * i, 4), lettering(12.5), t.dim, kRight);
+        w.text(QRectF(px(4), y - px(10), left - px(12), px(20)), lengthText(division * i, desk_.live.unit(desk_.live.config().axis(curve->corrected ? curve->corrected : curve->moving)).digits(4)), lettering(12.5), t.dim, kRight);
     }
     const double apart = roundStep(span / 6);
     for (double at = std::ceil(from / apart - 1e-6) * apart; at <= last->at + 1e-6 * apart; at += apart) {

@@ -76,7 +76,7 @@ void Diagnosis::fillAxes() {
         const std::uint32_t number = (*axes)[static_cast<std::size_t>(row)];
         const AxisConfig& axis = desk_.live.config().axis(number);
         const AxisStatus& now = desk_.live.status().axes[number - 1];
-        const unsigned decimals = decimalsOf(desk_.live.config(), axis);
+        const LengthUnit unit = desk_.live.unit(axis);
         const Theme& t = theme();
         // Its drive belongs to the spindle just now: the axis is nowhere.
         const bool turns = axis.on_spindle && desk_.live.nc(signals::sn_axis(axis.on_spindle)) == 0;
@@ -85,11 +85,11 @@ void Diagnosis::fillAxes() {
         switch (column) {
             case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
             case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
-            case 2: return {lengthText(shownPlace(axis, now.cmd), decimals)};
-            case 3: return {lengthText(shownPlace(axis, now.act), decimals)};
-            case 4: return {axis.rotary ? QString(QChar(0xB0)) : unitWord("mm") + (axis.diameter ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of the places and of the ways behind them
-            case 5: return {lengthText(shown(axis, now.error), decimals), t.dim};
-            case 6: return {lengthText(shown(axis, now.compensation), decimals), t.dim};
+            case 2: return {unit.text(shownPlace(axis, now.cmd))};
+            case 3: return {unit.text(shownPlace(axis, now.act))};
+            case 4: return {unit.name() + (axis.diameter && !axis.rotary ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of the places and of the ways behind them
+            case 5: return {unit.text(shown(axis, now.error)), t.dim};
+            case 6: return {unit.text(shown(axis, now.compensation)), t.dim};
             case 7: return {QString("%1 %").arg(now.torque / 10, 0, 'f', 1), t.dim};
             default:
                 if (now.flags & kDriveFault) return {word("Drive fault"), t.bad, Sign::Alarm, true};

@@ -299,11 +299,13 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
         }, false});
     }
     if (job.stock || job.parts_wanted)
-        out.push_back({px(62), [=, &w, &t, &job](double y) {
+        out.push_back({px(62), [=, this, &w, &t, &job](double y) {
             if (job.stock) {
                 const text::JobStock& stock = *job.stock;
+                const LengthUnit unit = desk_.live.commonUnit();
+                const auto size = [&](double mm) { return numberText(unit.of(mm), unit.inch() ? 4 : 3); };
                 w.text(QRectF(px(16), y + px(6), middle - px(24), px(22)), word("Stock"), lettering(13, false, Face::Condensed), t.dim);
-                w.text(QRectF(px(16), y + px(30), middle + px(4), px(26)), QString::fromUtf8("⌀ %1 × %2 %3").arg(stock.diameter).arg(stock.length).arg(unitWord("mm")) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 %3").arg(word("bore")).arg(stock.bore).arg(unitWord("mm")) : QString()) +
+                w.text(QRectF(px(16), y + px(30), middle + px(4), px(26)), QString::fromUtf8("⌀ %1 × %2 %3").arg(size(stock.diameter), size(stock.length), unit.name()) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 %3").arg(word("bore"), size(stock.bore), unit.name()) : QString()) +
                                                                                     "   " + QString::fromStdString(stock.spindle), lettering(17), t.text);
             }
             if (!job.parts_wanted) return;
@@ -327,18 +329,29 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
         headline(word("Zeros"), word("Wanted"), word("Entered"));
         for (const JobZero& one : zeros) {
             const auto [sign, colour] = judged(one.same());
-            compared(QString("L%1").arg(one.channel), QString::fromStdString(one.system + "  " + one.axis), QString::number(one.wanted, 'f', 3), sign, colour, zeroText(one), one.same());
+            compared(QString("L%1").arg(one.channel), QString::fromStdString(one.system + "  " + one.axis), zeroWanted(desk_.live, one), sign, colour, zeroText(desk_.live, one), one.same());
         }
     }
     if (const auto offsets = compareOffsets(desk_.live, *preview_.sheet); !offsets.empty()) {
         headline(word("Offsets"), {}, word("Entered"));
         for (const JobOffset& one : offsets)   // of another one only the values that are otherwise
             for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
-                const QString wanted = offsetText(one, OffsetSide::Wanted, part, one.same());
+                const QString wanted = offsetText(desk_.live, one, OffsetSide::Wanted, part, one.same());
                 if (wanted.isEmpty()) continue;
                 const auto [sign, colour] = judged(one.same());
                 const QString what = part == OffsetPart::Wear ? QString("%1 %2   %3").arg(one.number).arg(word("Wear"), wanted) : QString("%1   %2").arg(one.number).arg(wanted);
-                compared(QString("L%1").arg(one.channel), what, {}, sign, colour, one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, part, false), one.same());
+                compared(QString("L%1").arg(one.channel), what, {}, sign, colour, one.same() ? word("entered") : offsetText(desk_.live, one, OffsetSide::Entered, part, false), one.same());
+            }
+    }
+    if (const auto edges = compareEdges(desk_.live, *preview_.sheet); !edges.empty()) {
+        headline(word("Tool edges"), {}, word("Entered"));
+        for (const JobEdge& one : edges)
+            for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
+                const QString wanted = edgeText(desk_.live, one, OffsetSide::Wanted, part, one.same());
+                if (wanted.isEmpty()) continue;
+                const auto [sign, colour] = judged(one.same());
+                const QString name = edgeTitle(desk_.live, one.line), what = part == OffsetPart::Wear ? QString("%1 %2   %3").arg(name, word("Wear"), wanted) : QString("%1   %2").arg(name, wanted);
+                compared(QString("L%1").arg(one.channel), what, {}, sign, colour, one.same() ? word("entered") : edgeText(desk_.live, one, OffsetSide::Entered, part, false), one.same());
             }
     }
     if (const QString fault = preview_.sheet->setupFault; !fault.isEmpty())

@@ -140,16 +140,16 @@ void HandPage::composeWheel(Writer& w) {
         // As on the jog page: what the workpiece counts is the large one.
         double workpiece = 0;
         const bool known = desk_.live.workpiece(desk_.channel, place_, now.act, workpiece);
-        const unsigned decimals = decimalsOf(desk_.live.config(), axis);
-        const QString unit = (axis.diameter ? QString::fromUtf8("⌀ ") : QString()) + unitWord(axis.rotary ? "deg" : "mm");
+        const LengthUnit shownIn = desk_.live.unit(axis);
+        const QString unit = (axis.diameter ? QString::fromUtf8("⌀ ") : QString()) + shownIn.name();
         const double middle = wide * 0.62;
         w.text(QRectF(px(14), px(150), px(110), px(18)), unit, lettering(13), t.dim);
         w.text(QRectF(px(14), px(150), middle - px(14), px(18)), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
         w.text(QRectF(middle, px(150), wide - middle - px(14), px(18)), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
         w.text(QRectF(px(14), px(166), px(60), px(42)), fromView(axis.name_text()), lettering(28, true), t.text);
         if (now.flags & kMoving) w.sign(QRectF(px(58), px(178), px(16), px(16)), Sign::Run, t.good);
-        w.text(QRectF(px(74), px(166), middle - px(74), px(42)), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(30, true), t.text, kRight);
-        w.text(QRectF(middle, px(166), wide - middle - px(14), px(42)), lengthText(shownPlace(axis, now.act), decimals), lettering(18), t.dim, kRight);
+        w.text(QRectF(px(74), px(166), middle - px(74), px(42)), known ? shownIn.text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(30, true), t.text, kRight);
+        w.text(QRectF(middle, px(166), wide - middle - px(14), px(42)), shownIn.text(shownPlace(axis, now.act)), lettering(18), t.dim, kRight);
     }
     // the dial: a finger turns it
     const double top = px(210), side = std::min(wide - px(150), high - top - px(12)), r = side / 2;

@@ -10,6 +10,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr std::array<const char*, 6> kSteps{"", "0.001", "0.01", "0.1", "1", "10"};
+constexpr std::array<const char*, 6> kInchSteps{"", "0.0001", "0.001", "0.01", "0.1", "1"};   // of linear axes; of turning ones it is the same figure in degrees
 constexpr int kTellMs = 120;
 constexpr const char* kHeldFor = "0.35s";   // when nothing is told any more, the axis stops after this
 
@@ -39,6 +40,8 @@ void Manual::restore(const QString& state) {
     showHand(state.section(' ', 1, 1) == "1");
     mdi_ = state.section(' ', 2).left(150);
 }
+
+const char* Manual::stepText(std::size_t step) const { return (desk_.live.unit(desk_.channel).inch() ? kInchSteps : kSteps)[step]; }
 
 void Manual::tellHeld() {
     if (heldWords_.isEmpty()) return held_.stop();
@@ -83,7 +86,9 @@ void Manual::press(int number) {
         } else if (what == 1 || what == 2) {
             const QString words = QString("A%1%2").arg(axis).arg(what == 1 ? '+' : '-');
             if (step_) {
-                desk_.requests.press(QString("step %1 %2").arg(words, kSteps[static_cast<std::size_t>(step_)]));
+                const LengthUnit unit = desk_.live.unit(desk_.live.config().axis(static_cast<unsigned>(axis)));
+                const double way = QString(stepText(static_cast<std::size_t>(step_))).toDouble();
+                desk_.requests.press(QString("step %1 %2").arg(words, QString::number(unit.held(way), 'g', 12)));
             } else {
                 heldWords_ = words;
                 desk_.requests.press(QString("jog %1 %2").arg(words, kHeldFor));
@@ -172,7 +177,7 @@ void Manual::composeAxes(Writer& w) {
         const unsigned number = config.axes[place];
         const AxisConfig& axis = live.config().axis(number);
         const AxisStatus& now = live.status().axes[number - 1];
-        const unsigned decimals = decimalsOf(live.config(), axis);
+        const LengthUnit unit = live.unit(axis);
         const QRectF box(0, top + static_cast<double>(place) * row, wide, row - px(8));
         w.fill(box, t.card, px(8));
         const bool here = number == chosenAxis();
@@ -202,8 +207,8 @@ void Manual::composeAxes(Writer& w) {
         const QColor colour = referenced ? t.text : t.warn;
         w.text(QRectF(begin, box.top() + px(2), middle - begin, head), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
         w.text(QRectF(middle + px(8), box.top() + px(2), left + room - middle - px(8), head), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
-        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : box.height() < px(80) ? 27 : 33, true), colour, kRight);
-        w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), lengthText(shownPlace(axis, now.act), decimals), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
+        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? unit.text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : box.height() < px(80) ? 27 : 33, true), colour, kRight);
+        w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), unit.text(shownPlace(axis, now.act)), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
         if (!referenced) w.text(QRectF(left + px(152), box.top() + box.height() * 0.68, room - px(152) - (axis.diameter ? px(26) : 0), box.height() * 0.28), word("not referenced"), lettering(14), t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.68, px(20), box.height() * 0.28), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
         if (!referenced) {
@@ -213,19 +218,19 @@ void Manual::composeAxes(Writer& w) {
             w.text(key, word("Reference"), lettering(15, true), t.text, Qt::AlignCenter);
             w.hit(key, static_cast<int>(number) * 10 + 3);
         }
-        w.text(QRectF(left, box.top() + box.height() * 0.68, px(150), box.height() * 0.28), QString("A%1   %2 %3").arg(number).arg(now.velocity * 60, 0, 'f', 0).arg(unitWord(axis.rotary ? "deg/min" : "mm/min")), lettering(14), t.dim);
+        w.text(QRectF(left, box.top() + box.height() * 0.68, px(150), box.height() * 0.28), QString("A%1   %2 %3").arg(number).arg(unit.speed(now.velocity * 60), unit.perMinute()), lettering(14), t.dim);
     }
     // steps, true lengths or angles whatever the axis shows
     bool linear = false, rotary = false;
     for (std::size_t place = 0; place < config.axis_count; ++place) (live.config().axis(config.axes[place]).rotary ? rotary : linear) = true;
-    const QString unit = rotary && linear ? unitWord("mm") + QString::fromUtf8(", °") : rotary ? QString::fromUtf8("°") : unitWord("mm");
+    const QString length = live.unit(desk_.channel).name(), unit = rotary && linear ? length + QString::fromUtf8(", °") : rotary ? QString::fromUtf8("°") : length;
     const double stepWide = (wide - px(6) * 5) / 6;
     for (std::size_t i = 0; i < kSteps.size(); ++i) {
         const QRectF box(static_cast<double>(i) * (stepWide + px(6)), high - px(54), stepWide, px(52));
         const bool here = step_ == static_cast<int>(i);
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, i == 0 ? word("Continuous") : QString("%1 %2").arg(kSteps[i], unit), lettering(17, here), t.text, Qt::AlignCenter);
+        w.text(box, i == 0 ? word("Continuous") : QString("%1 %2").arg(stepText(i), unit), lettering(17, here), t.text, Qt::AlignCenter);
         w.hit(box, kStepHits + static_cast<int>(i));
     }
 }

@@ -49,6 +49,7 @@ private:
     void composeSide(Writer& w);
     void press(int number);
     void tellHeld();
+    const char* stepText(std::size_t step) const;   // in the unit of the channel
     bool stops() const;           // what the last soft key does
     void stopsSince();
     void mode(const char* wanted);

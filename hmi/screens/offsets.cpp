@@ -41,7 +41,14 @@ double cellValue(const OffsetCell& cell, char field) {
     }
 }
 
+// Columns of edges: tool, D, and these.
+constexpr double kTurningTool = 500;   // of a new edge whose tool has no type
+constexpr int kEdgeColumns[] = {kDpType, kDpTip, kDpLength, kDpLength + 1, kDpLength + 2, kDpRadius, kDpWear, kDpWear + 1, kDpWear + 2, kDpWearRadius};
+
 }  // namespace
+
+QString Offsets::Value::text(double held) const { return lengthText(unit.of(held), decimals); }
+QString Offsets::Value::unitText() const { return angle ? QString(QChar(0xB0)) : decimals ? unit.name() + (diameter ? kDiameter : QString()) : QString(); }
 
 Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)), parts_(new PartsPage(desk, this)) {
     parts_->hide();
@@ -51,7 +58,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-        w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), partsShown_ ? word("Measured parts") : zeros_ ? word("Work zeros") : word("Tool offsets"), lettering(20, true), t.text);
+        w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), partsShown_ ? word("Measured parts") : zeros_ ? word("Work zeros") : edged_ ? word("Tool edges") : word("Tool offsets"), lettering(20, true), t.text);
         composeChannelKeys(w, desk_, head_->size());
     };
     head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
@@ -61,7 +68,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto value = chosen();
         if (!value) return std::nullopt;
-        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? unitWord("mm") + (value->diameter ? kDiameter : QString()) : QString(), value->present, value->decimals};
+        return NumberPad::Field{value->title, value->unitText(), value->present, value->decimals, false, value->unit.size()};
     };
     pad_->onInput = [this](double now) {
         if (const auto value = chosen()) put(*value, now);
@@ -88,7 +95,7 @@ void Offsets::showZeros(bool zeros) {
     if (zeros_ == zeros) return;
     zeros_ = zeros;
     build();
-    table_->choose(0, 1);
+    table_->choose(0, byEdges() ? 2 : 1);
 }
 
 QString Offsets::state() const { return QString("%1 %2 %3").arg(partsShown_ ? 2 : zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
@@ -102,8 +109,9 @@ void Offsets::restore(const QString& state) {
 void Offsets::build() {
     built_ = desk_.channel;
     const Live& live = desk_.live;
-    table_->columns = {{zeros_ ? word("Zero") : word("No."), zeros_ ? 1.3 : 0.8}};
-    fields_ = {' '};
+    edged_ = usesEdges(live, desk_.channel);
+    table_->columns = {{zeros_ ? word("Zero") : edged_ ? word("Tool") : word("No."), zeros_ ? 1.3 : edged_ ? 2.6 : 0.8}};
+    fields_ = {' '}, parameters_ = {0};
     zeroRows_.clear();
     table_->nothing = word("This channel has no offsets.");
     if (!live.connected() || live.channels().empty()) {
@@ -116,6 +124,16 @@ void Offsets::build() {
             if (!work_zero_name(row).empty() && (row <= kZeroShift || row - kZeroG541 <= kMostZeros || row > kZeroG541 + 300)) zeroRows_.push_back(row);
         for (const std::uint16_t axis : live.config().channel(channel).axis_numbers()) table_->columns.push_back({fromView(live.config().axis(axis).name_text()) + (live.config().axis(axis).rotary ? QString::fromUtf8(" °") : live.config().axis(axis).diameter ? kDiameter : QString()), 1.2, kRight, true});
         table_->rows = [this] { return static_cast<int>(zeroRows_.size()); };
+    } else if (edged_) {
+        table_->nothing = toolsManaged(live) ? word("This channel has no tools: enter them on the page of tools.") : word("Without tool management (N2900) programs bring their own tools and edges.");
+        table_->rows = [this] { return static_cast<int>(edges_.size()); };
+        takeEdges();
+        table_->columns.push_back({"D", 0.5, kRight}), parameters_.push_back(0);
+        const bool third = placeOf(live, channel, 'Y') >= 0 || std::any_of(edges_.begin(), edges_.end(), [&](EdgeLine one) { return sumOfLength(live, one, 2) != 0; });
+        for (const int dp : kEdgeColumns) {
+            if (isLength(dp) && lengthOf(dp) == 2 && !third) continue;
+            table_->columns.push_back({edgeParameterTitle(dp), dp == kDpTip ? 0.6 : dp == kDpType ? 0.75 : is_edge_wear(dp) || dp == kDpRadius ? 1.1 : 1.25, kRight, true}), parameters_.push_back(dp);
+        }
     } else {
         const auto named = [&](const QString& what, char letter) { return QString("%1 %2").arg(what).arg(letter) + (inDiameter(live, channel, letter) ? kDiameter : QString()); };
         const auto add = [&](const QString& title, char field, double share) { table_->columns.push_back({title, share, kRight, true}), fields_.push_back(field); };
@@ -130,22 +148,54 @@ void Offsets::build() {
     }
     table_->cell = [this](int row, int column) -> Table::Cell {
         const Theme& t = theme();
-        const ChannelView& view = desk_.live.view(desk_.channel);
-        const BlockPicture& p = view.picture;
-        const bool active = view.known && (zeros_ ? p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(row)]) : p.geometry == row + 1 || p.wear == row + 1);
+        const bool now = active(row);
+        if (column == 0 && byEdges()) {
+            const EdgeLine line = edges_[static_cast<std::size_t>(row)];
+            const ToolRow* tool = toolOf(desk_.live, line.tool);
+            if (!tool || (row > 0 && edges_[static_cast<std::size_t>(row) - 1].tool == line.tool)) return {QString(), t.dim, now ? Sign::Run : Sign::None};   // the tool is named once
+            QString name = QString("T%1  %2").arg(line.tool).arg(toolName(*tool, line.tool));
+            if (tool->duplo > 1) name += QString(" (%1)").arg(tool->duplo);
+            if (tool->magazine) name = placeText(desk_.live, tool->magazine, tool->pot) + "  " + name;
+            return {name, now ? t.good : t.text, now ? Sign::Run : Sign::None, now, Face::Condensed};
+        }
         if (column == 0) {
             QString name = QString::number(row + 1);
             if (zeros_) name = zeroTitle(QString::fromStdString(work_zero_name(zeroRows_[static_cast<std::size_t>(row)])));
-            return {name, active ? t.good : t.dim, active ? Sign::Run : Sign::None, active};
+            return {name, now ? t.good : t.dim, now ? Sign::Run : Sign::None, now};
         }
+        if (byEdges() && column == 1) return {QString::number(edges_[static_cast<std::size_t>(row)].edge), now ? t.good : t.dim, Sign::None, now};
         const auto value = valueAt(row, column);
         if (!value) return {};
         double applied = 0, sum = 0;
-        const bool pending = active && appliedNow(*value, applied, sum) && std::abs(applied - sum) > 5e-7;
-        const bool wear = !zeros_ && fields_[static_cast<std::size_t>(column)] >= 'a';
-        return {lengthText(value->present, value->decimals), pending ? t.warn : value->present == 0 ? t.faint : wear ? t.accent : t.text, pending ? Sign::Wait : Sign::None, active};
+        const bool pending = now && appliedNow(*value, applied, sum) && std::abs(applied - sum) > 5e-7;
+        const bool wear = !zeros_ && value->wear();
+        return {value->text(value->present), pending ? t.warn : value->present == 0 ? t.faint : wear ? t.accent : t.text, pending ? Sign::Wait : Sign::None, now};
     };
-    if (table_->column() < 1 || table_->column() >= static_cast<int>(table_->columns.size())) table_->choose(table_->row(), 1);
+    const int first = byEdges() ? 2 : 1;
+    if (table_->column() < first || table_->column() >= static_cast<int>(table_->columns.size())) table_->choose(table_->row(), first);
+}
+
+bool Offsets::active(int row) const {
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    const BlockPicture& p = view.picture;
+    if (!view.known || row < 0 || row >= table_->rows()) return false;
+    if (zeros_) return p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(row)]);
+    if (edged_) return p.tool == edges_[static_cast<std::size_t>(row)].tool && p.edge == edges_[static_cast<std::size_t>(row)].edge;
+    return p.geometry == row + 1 || p.wear == row + 1;
+}
+
+// The chosen one stays chosen, wherever it stands by now; what has been typed for one that is gone is for no other.
+void Offsets::takeEdges() {
+    edgesOf_ = desk_.live.toolsVersion();
+    const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
+    const EdgeLine chosen = row < edges_.size() ? edges_[row] : EdgeLine{};
+    edges_ = toolsManaged(desk_.live) ? edgeLines(desk_.live, desk_.channel) : std::vector<EdgeLine>();
+    const auto at = std::find(edges_.begin(), edges_.end(), chosen);
+    if (at == edges_.end()) {
+        if (chosen.tool) pad_->clear(), table_->choose(std::clamp(table_->row(), 0, std::max(0, static_cast<int>(edges_.size()) - 1)), table_->column());
+    } else if (at - edges_.begin() != table_->row()) {
+        table_->choose(static_cast<int>(at - edges_.begin()), table_->column());
+    }
 }
 
 std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
@@ -164,8 +214,20 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
         out.words = QString("zero L%1 %2 %3").arg(channel).arg(name, axisName);
         out.title = QString("L%1  %2  %3").arg(channel).arg(zeroTitle(name), axisName);
         out.present = store.zeros[zero * kChannelAxes + static_cast<std::size_t>(out.place)];
-        out.decimals = decimalsOf(live.config(), axis);
+        out.unit = live.unit(axis), out.decimals = out.unit.decimals;
         out.angle = axis.rotary, out.diameter = axis.diameter && !axis.rotary;
+        return out;
+    }
+    out.unit = live.unit(channel), out.decimals = out.unit.decimals;
+    if (edged_) {
+        out.edge = edges_[static_cast<std::size_t>(row)], out.dp = parameters_[static_cast<std::size_t>(column)];
+        if (out.dp == 0) return std::nullopt;
+        out.words = QString("edge L%1 T%2 D%3 DP%4").arg(channel).arg(out.edge.tool).arg(out.edge.edge).arg(out.dp);
+        out.title = QString("%1  %2").arg(edgeTitle(live, out.edge), edgeParameterTitle(out.dp));
+        if (isLength(out.dp)) out.place = placeOfLength(live, channel, out.edge, lengthOf(out.dp));
+        if (out.place >= 0) out.title += QString(" (%1)").arg(fromView(live.config().axis(live.config().channel(channel).axes[static_cast<std::size_t>(out.place)]).name_text()));   // a length of the tool: never a diameter
+        out.present = edgeValue(live, out.edge, out.dp);
+        if (out.dp == kDpType || out.dp == kDpTip) out.decimals = 0, out.unit = {};
         return out;
     }
     const char field = fields_[static_cast<std::size_t>(column)];
@@ -175,7 +237,7 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
     const QString column_title = letter == 'R' ? (wear ? word("Wear R") : word("Radius")) : letter == 'T' ? word("Tip") : QString("%1 %2").arg(wear ? word("Wear") : word("Geom.")).arg(letter);
     out.title = QString("L%1  %2 %3  %4").arg(channel).arg(word("Offset")).arg(row + 1).arg(column_title);
     out.present = cellValue(store.offsets[static_cast<std::size_t>(row) + 1], field);
-    out.decimals = letter == 'T' ? 0 : live.config().channel(channel).decimals();
+    if (letter == 'T') out.decimals = 0, out.unit = {};
     out.place = letter == 'R' || letter == 'T' ? -1 : placeOf(live, channel, letter);
     out.diameter = out.place >= 0 && inDiameter(live, channel, letter);
     return out;
@@ -195,6 +257,10 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
         applied = desk_.live.rests(desk_.channel) ? sum : shown(axis, view.zeroTaken[place]);   // without what the program adds: G52, G92
         return true;
     }
+    if (value.ofEdge()) {
+        applied = p.tool_shift[place], sum = sumOfLength(desk_.live, value.edge, lengthOf(value.dp));   // true lengths
+        return true;
+    }
     if (p.geometry <= 0 && p.wear <= 0) return false;
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
     applied = inTable(axis, p.tool_shift[place]);
@@ -204,13 +270,27 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
 
 void Offsets::put(const Value& value, double now, bool undone) {
     const double old = value.present;
-    const QString number = QString::number(now, 'f', 9);
-    desk_.requests.set(value.words + "=" + number, [this, value, old, now, undone](const Answer& answer) {
+    const auto done = [this, value, old, now, undone](const Answer& answer) {
         if (!answer.ok) return;   // told already
         changes_.push_back({QDateTime::currentDateTime(), value, old, now, undone});
-        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, lengthText(old, value.decimals), lengthText(now, value.decimals)), Told::Good);
+        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(old), value.text(now)), Told::Good);
         askHistory(), refresh();
-    });
+    };
+    if (value.ofEdge()) return askStore(value, {{"do", "offsets.set"}, {"dp", value.dp}, {"value", std::round(now * 1e9) / 1e9}}, done);
+    desk_.requests.set(value.words + "=" + QString::number(now, 'f', 9), done);
+}
+
+// An operation of the store on the chosen offset or edge; it reads table and field, an edge's also by the plane.
+void Offsets::askStore(const Value& value, QJsonObject request, const std::function<void(const Answer&)>& done) {
+    const unsigned channel = value.words.section(' ', 1, 1).mid(1).toUInt();
+    request.insert("channel", static_cast<int>(channel));
+    if (value.ofEdge()) {
+        request.insert("tool", value.edge.tool), request.insert("edge", value.edge.edge);
+        request.insert("plane", 17 + static_cast<int>(planeNow(desk_.live, channel)));
+    } else {
+        request.insert("number", value.words.section(' ', 2, 2).toInt());
+    }
+    desk_.requests.store(request, done);
 }
 
 // An operation of the store has entered it: what it says counts.
@@ -218,7 +298,7 @@ void Offsets::entered(const Value& value, const Answer& answer) {
     if (!answer.ok) return;
     const double now = answer.object.value("new").toDouble();
     changes_.push_back({QDateTime::currentDateTime(), value, answer.object.contains("old") ? answer.object.value("old").toDouble() : value.present, now, false});
-    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, lengthText(changes_.back().old, value.decimals), lengthText(now, value.decimals)), Told::Good);
+    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(changes_.back().old), value.text(now)), Told::Good);
     askHistory(), refresh();
 }
 
@@ -234,18 +314,20 @@ void Offsets::touched() {
     const auto value = chosen();
     if (!value) return;
     const QStringList words = value->words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
-    QJsonObject request{{"do", zeros_ ? "zeros.touch" : "offsets.touch"}, {"channel", static_cast<int>(desk_.channel)}};
-    if (zeros_) {
-        request.insert("zero", words[2]);
-        if (!params::bit(desk_.live.table(), params::n3016_tool_wp_setter_config, desk_.channel, 0)) request.insert("offset", probe());   // else the PLC says it
-        if (const auto typed = pad_->entry()) request.insert("value", typed->value);
-        pad_->clear();
-    } else request.insert("number", words[2].toInt()), request.insert("table", words[3]);
-    desk_.requests.store(request, [this, decimals = value->decimals](const Answer& answer) {
-        const auto number = [&](const char* name) { return lengthText(answer.object.value(name).toDouble(), decimals); };
+    const auto done = [this, value = *value](const Answer& answer) {
+        const auto number = [&](const char* name) { return value.text(answer.object.value(name).toDouble()); };
         if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(cellTitle(answer.object.value("what").toString()), number("old"), number("new")), Told::Good);
         askHistory(), refresh();
-    });
+    };
+    if (!zeros_) return askStore(*value, {{"do", "offsets.touch"}, {"table", value->wear() ? "wear" : "geometry"}}, done);
+    QJsonObject request{{"do", "zeros.touch"}, {"channel", static_cast<int>(desk_.channel)}};
+    {
+        request.insert("zero", words[2]);
+        if (!params::bit(desk_.live.table(), params::n3016_tool_wp_setter_config, desk_.channel, 0)) request.insert("offset", probe());   // else the PLC says it
+        if (const auto typed = pad_->held()) request.insert("value", *typed);
+        pad_->clear();
+    }
+    desk_.requests.store(request, done);
 }
 
 void Offsets::relativeZero() {
@@ -257,9 +339,23 @@ void Offsets::relativeZero() {
 void Offsets::relativeInput() {
     const auto value = chosen();
     if (!value || zeros_ || value->place < 0) return;
-    const QStringList words = value->words.split(' ');
-    desk_.requests.store({{"do", "offsets.relative"}, {"channel", static_cast<int>(desk_.channel)}, {"number", words[2].toInt()}, {"table", words[3]}, {"field", words[4]}},
-                         [this, value = *value](const Answer& answer) { entered(value, answer); });
+    const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[static_cast<std::size_t>(value->place)]);
+    const char* const field = axis.role == PlaneRole::BasicX ? "X" : axis.role == PlaneRole::BasicY ? "Y" : "Z";
+    askStore(*value, {{"do", "offsets.relative"}, {"table", value->wear() ? "wear" : "geometry"}, {"field", field}}, [this, value = *value](const Answer& answer) { entered(value, answer); });
+}
+
+// Another edge of the chosen tool, of the same type.
+void Offsets::newEdge() {
+    const auto value = chosen();
+    if (!value || !value->ofEdge()) return;
+    EdgeLine fresh{value->edge.tool, 0};
+    for (const EdgeLine& one : edges_)
+        if (one.tool == fresh.tool && edgeOf(desk_.live, one)) fresh.edge = std::max(fresh.edge, one.edge);
+    ++fresh.edge;
+    const double type = edgeValue(desk_.live, value->edge, kDpType);
+    desk_.requests.store({{"do", "offsets.set"}, {"channel", static_cast<int>(desk_.channel)}, {"tool", fresh.tool}, {"edge", fresh.edge}, {"dp", kDpType}, {"value", type ? type : kTurningTool}}, [this, fresh](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("%1 is new").arg(edgeTitle(desk_.live, fresh)), Told::Good);
+    });
 }
 
 // Who has changed it before, since the store was begun.
@@ -268,12 +364,12 @@ void Offsets::askHistory() {
     history_.clear(), historyOf_ = value ? value->words : QString();
     if (!value || !desk_.live.connected()) return;
     const QStringList words = value->words.split(' ');
-    const QString about = zeros_ ? QString("%1 %2 place %3").arg(words[1], words[2]).arg(value->place + 1) : QString("%1 offset %2 %3 %4").arg(words[1], words[2], words[3], words[4]);
-    desk_.requests.store({{"do", "history.list"}, {"of", about}, {"most", 40}}, [this, of = historyOf_, decimals = value->decimals](const Answer& answer) {
+    const QString about = value->ofEdge() ? QString("tool %1 D%2 DP%3").arg(value->edge.tool).arg(value->edge.edge).arg(value->dp) : zeros_ ? QString("%1 %2 place %3").arg(words[1], words[2]).arg(value->place + 1) : QString("%1 offset %2 %3 %4").arg(words[1], words[2], words[3], words[4]);
+    desk_.requests.store({{"do", "history.list"}, {"of", about}, {"most", 40}}, [this, of = historyOf_, value = *value](const Answer& answer) {
         if (!answer.ok || historyOf_ != of) return;
         for (const auto& entry : answer.object.value("history").toArray()) {
             const QJsonObject one = entry.toObject();
-            const auto number = [&](const char* name) { return lengthText(one.value(name).toString().toDouble(), decimals); };
+            const auto number = [&](const char* name) { return value.text(one.value(name).toString().toDouble()); };
             history_ << QString::fromUtf8("%1  %2: %3 → %4").arg(shortMomentText(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime(), "HH:mm"), one.value("who").toString(), number("old"), number("new"));
         }
         side_->refresh();
@@ -288,6 +384,7 @@ const Offsets::Change* Offsets::newest() const {
 
 // What stands there now, whichever table is shown.
 double Offsets::presentOf(const Value& value) const {
+    if (value.ofEdge()) return edgeValue(desk_.live, value.edge, value.dp);
     const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
     const ChannelStore& store = desk_.live.store(words[1].mid(1).toUInt());
     if (words[0] == "zero") return store.zeros[work_zero_row(words[2].toStdString()).value_or(0) * kChannelAxes + static_cast<std::size_t>(value.place)];
@@ -303,7 +400,7 @@ void Offsets::undo() {
     change.undone = true;
     Value value = change.value;
     value.present = presentOf(value);
-    if (std::abs(value.present - change.now) > 5e-7) return desk_.tell(word("%1 is %2 by now: it stays").arg(value.title, lengthText(value.present, value.decimals)), Told::Refused);
+    if (std::abs(value.present - change.now) > 5e-7) return desk_.tell(word("%1 is %2 by now: it stays").arg(value.title, value.text(value.present)), Told::Refused);
     put(value, change.old, true);
 }
 
@@ -312,7 +409,7 @@ void Offsets::enter(bool added) { pad_->enter(added); }
 // The tool's tip stands at a measured place: geometry (with the wear that there is) follows from where the axis is.
 void Offsets::measure() {
     const auto value = chosen();
-    const auto typed = pad_->entry();
+    const auto typed = pad_->held();
     if (!value || !typed || zeros_ || value->place < 0) return;
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
@@ -321,17 +418,19 @@ void Offsets::measure() {
     const ChannelStore& store = desk_.live.store(desk_.channel);
     double zero = 0;
     if (!desk_.live.zeroNow(desk_.channel, static_cast<unsigned>(place), zero)) zero = desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), view.known ? view.picture.zero_row : static_cast<std::int32_t>(kZeroG54));
+    const double length = (machine - shown(axis, zero) - *typed) / shown(axis, 1);   // of the tool, with wear
+    if (value->ofEdge()) return pad_->clear(), put(*value, length - (sumOfLength(desk_.live, value->edge, lengthOf(value->dp)) - value->present));
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
     const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
     pad_->clear();
-    put(*value, inTable(axis, (machine - shown(axis, zero) - typed->value) / shown(axis, 1)) - wear);
+    put(*value, inTable(axis, length) - wear);
 }
 
 // What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.
 void Offsets::zeroHere() {
     const auto value = chosen();
     if (!value || !zeros_) return;
-    const auto typed = pad_->entry();
+    const auto typed = pad_->held();
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
@@ -342,7 +441,7 @@ void Offsets::zeroHere() {
     for (const std::size_t other : {kZeroExternal, kZeroShift})
         if (other != row) others += store.zeros[other * kChannelAxes + place];
     pad_->clear();
-    put(*value, machine - tool - others - (typed ? typed->value : 0.0));
+    put(*value, machine - tool - others - typed.value_or(0.0));
 }
 
 void Offsets::resizeEvent(QResizeEvent*) { layOut(); }
@@ -372,14 +471,19 @@ void Offsets::composeSide(Writer& w) {
         double applied = 0, sum = 0;
         const ChannelView& view = desk_.live.view(desk_.channel);
         const BlockPicture& p = view.picture;
+        if (value->ofEdge()) {
+            const QString kind = kindText(static_cast<std::int32_t>(edgeValue(desk_.live, value->edge, kDpType)));
+            w.data(QRectF(px(12), y, wide - px(24), px(22)), edgeTitle(desk_.live, value->edge) + (kind.isEmpty() ? QString() : QString::fromUtf8("  ·  ") + kind), lettering(14, true), t.text);
+            y += px(24);
+        }
         const auto zeroActs = [&](std::size_t row) { return p.zero_row == static_cast<std::int32_t>(row) || row == kZeroExternal || row == kZeroShift; };   // these act with each of the others
-        const bool active = view.known && (zeros_ ? zeroActs(zeroRows_[static_cast<std::size_t>(table_->row())]) : p.geometry == table_->row() + 1 || p.wear == table_->row() + 1);
-        if (active && appliedNow(*value, applied, sum)) {
+        const bool acts = zeros_ ? view.known && zeroActs(zeroRows_[static_cast<std::size_t>(table_->row())]) : active(table_->row());
+        if (acts && appliedNow(*value, applied, sum)) {
             const bool same = std::abs(applied - sum) <= 5e-7;
-            line(zeros_ ? word("All zeros together") : word("Geometry + wear"), lengthText(sum, value->decimals), t.text);
-            line(word("Applied now"), lengthText(applied, value->decimals), same ? t.good : t.warn);
+            line(zeros_ ? word("All zeros together") : word("Geometry + wear"), value->text(sum), t.text);
+            line(word("Applied now"), value->text(applied), same ? t.good : t.warn);
             w.sign(QRectF(px(12), y + px(2), px(16), px(16)), same ? Sign::Good : Sign::Wait, same ? t.good : t.warn);
-            w.text(QRectF(px(34), y, wide - px(44), px(22)), same ? word("Active") : zeros_ ? word("Active from the next blocks") : word("Active at the next T"), lettering(14), same ? t.good : t.warn);
+            w.text(QRectF(px(34), y, wide - px(44), px(22)), same ? word("Active") : zeros_ ? word("Active from the next blocks") : value->ofEdge() ? word("Active at the next T or D") : word("Active at the next T"), lettering(14), same ? t.good : t.warn);
         } else {
             w.text(QRectF(px(12), y, wide - px(24), px(22)), word("Not in use by the running program"), lettering(14), t.dim);
         }
@@ -394,7 +498,8 @@ void Offsets::composeSide(Writer& w) {
 }
 
 void Offsets::refresh() {
-    if (built_ != desk_.channel) build();
+    if (built_ != desk_.channel || edged_ != usesEdges(desk_.live, desk_.channel)) build();
+    else if (byEdges() && edgesOf_ != desk_.live.toolsVersion()) takeEdges();
     if (partsShown_) return head_->refresh(), parts_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -404,14 +509,14 @@ std::vector<SoftKey> Offsets::keys() {
     const auto value = chosen();
     const Change* last = newest();
     const bool empty = pad_->text().isEmpty(), placed = value.has_value() && value->place >= 0;
-    std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
+    std::vector<SoftKey> keys{{edged_ ? word("Tool edges") : word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
                               {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
                               {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
                               {}};
     if (partsShown_) return parts_->addKeys(keys), keys;
     // «offset L1 3 wear X», with what is typed: another one of them is another question.
     const QStringList words = value ? value->words.split(' ') : QStringList();
-    const auto brief = [](const QStringList& of) { return of.size() < 4 ? QString() : QString("%1 %2 %3").arg(of[1], of[2], of.last()); };
+    const auto brief = [](const QStringList& of) { return of.size() < 4 ? QString() : of[0] == "edge" ? QString("%1 %2 %3").arg(of[2], of[3], edgeParameterTitle(of[4].mid(2).toInt())) : QString("%1 %2 %3").arg(of[1], of[2], of.last()); };
     const QString subject = value ? value->words + "=" + pad_->text() : QString(), object = brief(words);
     const QString asks = !zeros_ ? word("Enters what was touched: press again") : probe() ? word("Probe is offset %1: press again").arg(probe()) : word("Without a probe offset: press again");
     keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks, {}, subject, object};
@@ -423,8 +528,9 @@ std::vector<SoftKey> Offsets::keys() {
     else if (empty)
         keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
-        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again"), {}, subject, object});
+        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && !value->wear(), false, false, word("Tip is at this measure: press again"), {}, subject, object});
     keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, last != nullptr, false, false, {}, {}, {}, last ? brief(last->value.words.split(' ')) : QString()});
+    if (byEdges()) keys.push_back({word("New edge"), [this] { newEdge(); }, Sign::None, desk_.live.connected() && value.has_value()});
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
         keys.push_back({word("Pattern menu"), [this] {

@@ -1,7 +1,9 @@
 // Tool offsets and work zeros of a channel: the table's value beside what the machine works with now, input, +input, measured input,
 // relative input, zero here, what a setter has touched, undo, who has changed it; measured parts. A value counts when the store has answered: it is on disk then.
+// A channel that speaks sinumerik has no numbered offsets: in their place are the edges of its tools.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/edge_words.hpp"
 #include "hmi/screens/parts_page.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
@@ -40,10 +42,17 @@ private:
     struct Value {
         QString words;            // «offset L1 3 wear X»
         QString title;
-        double present = 0;
-        unsigned decimals = 3;
+        double present = 0;       // as the store holds it
+        unsigned decimals = 3;    // shown; 0 a whole number
+        LengthUnit unit;
         bool angle = false, diameter = false;
         int place = -1;           // of its axis in the channel; -1 none
+        EdgeLine edge;            // of a tool; tool 0: no edge
+        int dp = 0;               // and which value of it
+        bool ofEdge() const { return edge.tool != 0; }
+        bool wear() const { return ofEdge() ? is_edge_wear(dp) : words.contains(" wear "); }
+        QString text(double held) const;
+        QString unitText() const;
     };
     struct Change {
         QDateTime when;
@@ -75,10 +84,18 @@ private:
     Table* table_;
     NumberPad* pad_;
     PartsPage* parts_;
-    bool zeros_ = false, partsShown_ = false;
+    void askStore(const Value& value, QJsonObject request, const std::function<void(const Answer&)>& done);
+    void takeEdges();              // the rows of edges, as tools come and go
+    void newEdge();
+    bool byEdges() const { return edged_ && !zeros_; }
+    bool active(int row) const;    // the running block works with it
+    bool zeros_ = false, partsShown_ = false, edged_ = false;
     unsigned built_ = 0;
+    std::uint64_t edgesOf_ = 0;                // Live::toolsVersion() that they were taken from
+    std::vector<EdgeLine> edges_;
     std::vector<std::size_t> zeroRows_;
     std::vector<char> fields_;                 // letter of each column of offsets: X Z R T, wear in lower case
+    std::vector<int> parameters_;              // $TC_DPx of each column of edges
     std::vector<Change> changes_;
     QString historyOf_;
     QStringList history_;          // of the chosen value, as lines

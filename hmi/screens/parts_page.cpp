@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kNameHit = 1;
 
-QString signedText(double value) { return (value > 0 ? "+" : "") + lengthText(value, 3); }
+QString signedText(const LengthUnit& unit, double held) { return (held > 0 ? "+" : "") + unit.text(held, 3); }
+QString signedWithUnit(const LengthUnit& unit, double held) { return QString("%1 %2").arg(signedText(unit, held), unit.name()); }
 
 struct Verdict {
     QString text;
@@ -43,17 +44,18 @@ PartsPage::PartsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const QJsonObject& one = all_[static_cast<std::size_t>(row)];
         const Theme& t = theme();
         const bool measured = one.contains("last");
+        const LengthUnit unit = unitOf(one);
         switch (column) {
             case kNumber: return {QString::number(one.value("dimension").toInt()), t.dim};
             case kName: return {one.value("name").toString(), t.text, Sign::None, true};
             case kAxis: return {one.value("axis").toString(), t.text};
             case kTool: return {one.value("tool").toInt() ? QString::number(one.value("tool").toInt()) : QString::fromUtf8("–"), t.text};
-            case kNominal: return {lengthText(one.value("nominal").toDouble(), 3), t.text, Sign::None, true};
-            case kUpper: return {signedText(one.value("upper").toDouble()), t.dim};
-            case kLower: return {signedText(one.value("lower").toDouble()), t.dim};
-            case kMeasured: return measured ? Table::Cell{lengthText(one.value("last").toDouble(), 3), verdictOf(one).colour, verdictOf(one).sign, true} : Table::Cell{QString::fromUtf8("–"), t.dim};
-            case kDeviation: return measured ? Table::Cell{signedText(one.value("deviation").toDouble()), verdictOf(one).colour} : Table::Cell{};
-            default: return measured ? Table::Cell{signedText(one.value("proposal").toDouble()), t.accent, one.value("limited").toBool() ? Sign::Warning : Sign::None, true} : Table::Cell{};
+            case kNominal: return {unit.text(one.value("nominal").toDouble(), 3), t.text, Sign::None, true};
+            case kUpper: return {signedText(unit, one.value("upper").toDouble()), t.dim};
+            case kLower: return {signedText(unit, one.value("lower").toDouble()), t.dim};
+            case kMeasured: return measured ? Table::Cell{unit.text(one.value("last").toDouble(), 3), verdictOf(one).colour, verdictOf(one).sign, true} : Table::Cell{QString::fromUtf8("–"), t.dim};
+            case kDeviation: return measured ? Table::Cell{signedText(unit, one.value("deviation").toDouble()), verdictOf(one).colour} : Table::Cell{};
+            default: return measured ? Table::Cell{signedText(unit, one.value("proposal").toDouble()), t.accent, one.value("limited").toBool() ? Sign::Warning : Sign::None, true} : Table::Cell{};
         }
     };
     table_->onChosen = [this] { pad_->clear(), curve_->refresh(); if (desk_.keysChanged) desk_.keysChanged(); };
@@ -64,12 +66,18 @@ PartsPage::PartsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const QJsonObject* one = chosen();
         const int column = table_->column();
         if (!one || column == kName || column == kAxis) return std::nullopt;
-        static constexpr const char* kFields[] = {"", "", "", "tool", "nominal", "upper", "lower", "last", "", "proposal"};
-        return NumberPad::Field{QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column)), column == kTool ? QString() : unitWord("mm"), one->value(kFields[column]).toDouble(), column == kTool ? 0u : 3u};
+        static constexpr const char* kFields[] = {"", "", "", "", "nominal", "upper", "lower", "last", "", "proposal"};
+        const QString title = QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column));
+        if (column == kTool) return NumberPad::Field{title, {}, one->value("tool").toDouble(), 0u};
+        const LengthUnit unit = unitOf(*one);
+        return NumberPad::Field{title, unit.name(), one->value(kFields[column]).toDouble(), unit.digits(3), false, unit.size()};
     };
     pad_->onInput = [this](double value) { entered(value); };
     table_->choose(0, kMeasured);
 }
+
+// Dimensions are held in millimetres; they are shown as the channel that makes them counts.
+LengthUnit PartsPage::unitOf(const QJsonObject& dimension) const { return desk_.live.unit(static_cast<unsigned>(dimension.value("channel").toInt(1))); }
 
 QString PartsPage::columnTitle(int column) const { return column >= 0 && column < static_cast<int>(table_->columns.size()) ? table_->columns[static_cast<std::size_t>(column)].title : QString(); }
 
@@ -104,10 +112,11 @@ void PartsPage::refresh() {
 }
 
 void PartsPage::ask(QJsonObject operation, const QString& good) {
-    desk_.requests.store(std::move(operation), [this, good](const Answer& answer) {
+    const LengthUnit unit = chosen() ? unitOf(*chosen()) : LengthUnit{};
+    desk_.requests.store(std::move(operation), [this, good, unit](const Answer& answer) {
         if (!answer.ok) return;
         QString text = good;
-        if (answer.object.contains("what")) text = QString::fromUtf8("%1: %2 → %3").arg(answer.object.value("what").toString(), lengthText(answer.object.value("old").toDouble(), 3), lengthText(answer.object.value("new").toDouble(), 3));
+        if (answer.object.contains("what")) text = QString::fromUtf8("%1: %2 → %3").arg(cellTitle(answer.object.value("what").toString()), unit.text(answer.object.value("old").toDouble(), 3), unit.text(answer.object.value("new").toDouble(), 3));
         desk_.tell(text, Told::Good);
         look();
     });
@@ -126,7 +135,7 @@ void PartsPage::entered(double value) {
         case kNominal: return set("nominal", number);
         case kUpper: return set("upper", number);
         case kLower: return set("lower", number);
-        case kMeasured: return ask({{"do", "parts.measure"}, {"dimension", one->value("dimension")}, {"value", number}}, word("Measured: %1").arg(lengthText(value, 3)));
+        case kMeasured: return ask({{"do", "parts.measure"}, {"dimension", one->value("dimension")}, {"value", number}}, word("Measured: %1").arg(unitOf(*one).text(value, 3)));
         case kProposal: return ask({{"do", "parts.accept"}, {"dimension", one->value("dimension")}, {"value", number}}, word("Written"));
         default: break;
     }
@@ -155,8 +164,10 @@ void PartsPage::composeCurve(Writer& w) {
     const Verdict verdict = verdictOf(*one);
     w.sign(QRectF(px(12), px(48), px(18), px(18)), verdict.sign, verdict.colour);
     w.text(QRectF(px(36), px(45), wide * 0.4, px(24)), verdict.text, lettering(14.5, true), verdict.colour);
-    const int cell = one->value("cell").toInt();
-    w.text(QRectF(wide * 0.4, px(45), wide * 0.6 - px(12), px(24)), cell ? word("wear of L%1 offset %2").arg(one->value("channel").toInt()).arg(cell) : word("no offset, no tool"), lettering(13, false, Face::Condensed), cell ? t.dim : t.warn, kRight);
+    const int cell = one->value("cell").toInt(), edge = one->value("edge").toInt();
+    const LengthUnit unit = unitOf(*one);
+    const QString corrects = edge ? word("wear of L%1 T%2 D%3").arg(one->value("channel").toInt()).arg(one->value("tool").toInt()).arg(edge) : cell ? word("wear of L%1 offset %2").arg(one->value("channel").toInt()).arg(cell) : word("no offset, no tool");
+    w.text(QRectF(wide * 0.4, px(45), wide * 0.6 - px(12), px(24)), corrects, lettering(13, false, Face::Condensed), cell || edge ? t.dim : t.warn, kRight);
     const QJsonArray deviations = one->value("deviations").toArray();
     const double upper = one->value("upper").toDouble(), lower = one->value("lower").toDouble();
     double most = std::max(upper, 0.0), least = std::min(lower, 0.0);
@@ -167,7 +178,7 @@ void PartsPage::composeCurve(Writer& w) {
     w.fill(QRectF(left, y(upper), right - left, y(lower) - y(upper)), t.window, px(3));
     const auto level = [&](double value, const QColor& colour, double width) {
         w.line({left, y(value)}, {right, y(value)}, colour, width);
-        w.text(QRectF(px(4), y(value) - px(9), left - px(10), px(18)), signedText(value), lettering(12), t.dim, kRight);
+        w.text(QRectF(px(4), y(value) - px(9), left - px(10), px(18)), signedText(unit, value), lettering(12), t.dim, kRight);
     };
     level(upper, t.bad, 1.5), level(lower, t.bad, 1.5);
     if (y(lower) - y(0) > px(16) && y(0) - y(upper) > px(16)) level(0, t.edge, 1);
@@ -186,10 +197,10 @@ void PartsPage::composeCurve(Writer& w) {
         w.line(point(0, mean - slope * half), point(count - 1, mean + slope * half), t.warn, px(1));
     }
     QString trend;
-    if (count >= 2) trend = word("%1 mm a part").arg(signedText(one->value("trend").toDouble()));
+    if (count >= 2) trend = word("%1 a part").arg(signedWithUnit(unit, one->value("trend").toDouble()));
     if (one->contains("parts_to_limit")) trend += "   " + word("parts to the limit: %1").arg(one->value("parts_to_limit").toDouble(), 0, 'f', 0);
     w.text(QRectF(px(12), high - px(46), wide - px(24), px(20)), trend, lettering(13.5), t.text);
-    if (one->contains("proposal")) w.text(QRectF(px(12), high - px(25), wide - px(24), px(20)), word("Proposal: %1 mm").arg(signedText(one->value("proposal").toDouble())) + (one->value("limited").toBool() ? "  " + word("(limited)") : QString()), lettering(14, true), t.accent);
+    if (one->contains("proposal")) w.text(QRectF(px(12), high - px(25), wide - px(24), px(20)), word("Proposal: %1").arg(signedWithUnit(unit, one->value("proposal").toDouble())) + (one->value("limited").toBool() ? "  " + word("(limited)") : QString()), lettering(14, true), t.accent);
 }
 
 void PartsPage::addKeys(std::vector<SoftKey>& keys) {
@@ -198,7 +209,7 @@ void PartsPage::addKeys(std::vector<SoftKey>& keys) {
     const QJsonValue number = one ? one->value("dimension") : QJsonValue();
     keys.push_back({word("Input"), [this] { pad_->enter(false); }, Sign::None, there && one && pad_->entry().has_value()});
     keys.push_back({word("Accept proposal"), [this, number] { ask({{"do", "parts.accept"}, {"dimension", number}}, word("Written")); }, Sign::Good, there && one && one->contains("proposal"), false, false,
-                    one ? word("Wear %1 mm: press again").arg(signedText(one->value("proposal").toDouble())) : QString(), {}, QString::number(number.toInt()), QString::number(number.toInt())});
+                    one ? word("Wear %1: press again").arg(signedWithUnit(unitOf(*one), one->value("proposal").toDouble())) : QString(), {}, QString::number(number.toInt()), QString::number(number.toInt())});
     keys.push_back({});
     keys.push_back({word("New dimension"), [this] {
                         int next = 1;

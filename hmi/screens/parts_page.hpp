@@ -30,6 +30,7 @@ private:
     void composeCurve(Writer& w);
     const QJsonObject* chosen() const;
     QString columnTitle(int column) const;
+    LengthUnit unitOf(const QJsonObject& dimension) const;
     void entered(double value);
     void changeText();
     void set(const QString& field, const QString& value);

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/edge_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
 
@@ -50,21 +51,26 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
     files_->onActivated = [this] { open(); };
     values_->columns = {{word("For the offset and the gauge pin"), 2.2}, {"", 1, kRight}};
     values_->rowUnits = 34;
-    values_->rows = [] { return 4; };
+    values_->rows = [this] { return usesEdges(desk_.live, desk_.channel) ? 5 : 4; };
     values_->cell = [this](int row, int column) -> Table::Cell {
-        static constexpr const char* kTitles[] = {WORD("Offset number"), WORD("Diameter of the pin"), WORD("X of its end, radius"), WORD("Z of its end")};
-        if (column == 0) return {word(kTitles[row])};
-        if (row != kOffset && number_[kPinDiameter] <= 0) return {QString::fromUtf8("–"), theme().dim, Sign::None, true};
-        return {lengthText(number_[row], row == 0 ? 0 : 3), theme().text, Sign::None, true};
+        static constexpr const char* kTitles[] = {WORD("Offset number"), WORD("Diameter of the pin"), WORD("X of its end, radius"), WORD("Z of its end"), WORD("Edge D")};
+        const Value which = valueOf(row);
+        const bool whole = which == kOffset || which == kEdge;
+        if (column == 0) return {which == kOffset && usesEdges(desk_.live, desk_.channel) ? word("Tool number") : word(kTitles[which])};
+        if (!whole && number_[kPinDiameter] <= 0) return {QString::fromUtf8("–"), theme().dim, Sign::None, true};
+        return {whole ? lengthText(number_[which], 0) : desk_.live.unit(desk_.channel).text(number_[which], 3), theme().text, Sign::None, true};
     };
     values_->onChosen = [this] { onValues_ = true, pad_->clear(); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const int row = values_->row();
-        return NumberPad::Field{values_->cell(row, 0).text, row == 0 ? QString() : unitWord("mm"), number_[row], row == 0 ? 0u : 3u};
+        const Value which = valueOf(row);
+        if (which == kOffset || which == kEdge) return NumberPad::Field{values_->cell(row, 0).text, {}, number_[which], 0u};
+        const LengthUnit unit = desk_.live.unit(desk_.channel);
+        return NumberPad::Field{values_->cell(row, 0).text, unit.name(), number_[which], unit.digits(3), false, unit.size()};
     };
     pad_->onInput = [this](double value) {
-        const int row = values_->row();
-        number_[row] = row == kOffset ? std::clamp(std::round(value), 1.0, 999.0) : value;
+        const Value which = valueOf(values_->row());
+        number_[which] = which == kOffset ? std::clamp(std::round(value), 1.0, 999.0) : which == kEdge ? std::clamp(std::round(value), 1.0, static_cast<double>(kMostEdgesOfTool)) : value;
         values_->refresh();
         if (desk_.keysChanged) desk_.keysChanged();
     };
@@ -165,13 +171,23 @@ void PresetterPage::run(QStringList arguments, bool written) {
 
 void PresetterPage::measure(bool write) {
     if (chosen().isEmpty() || process_) return;
-    QStringList arguments{"presetter", "measure", chosen(), QString("L%1").arg(desk_.channel), QString::number(number_[kOffset], 'f', 0)};
+    QStringList arguments{"presetter", "measure", chosen(), QString("L%1").arg(desk_.channel), target()};
     if (write) arguments << "--yes";
     run(arguments, write);
     answerFor_ = place();
 }
 
-QString PresetterPage::place() const { return QString("L%1 %2").arg(desk_.channel).arg(number_[kOffset], 0, 'f', 0); }
+PresetterPage::Value PresetterPage::valueOf(int row) const {
+    if (!usesEdges(desk_.live, desk_.channel)) return static_cast<Value>(row);
+    return row == 0 ? kOffset : row == 1 ? kEdge : static_cast<Value>(row - 1);
+}
+
+QString PresetterPage::target() const {
+    const QString number = QString::number(number_[kOffset], 'f', 0);
+    return usesEdges(desk_.live, desk_.channel) ? QString("T%1.D%2").arg(number).arg(number_[kEdge], 0, 'f', 0) : number;
+}
+
+QString PresetterPage::place() const { return QString("L%1 %2").arg(desk_.channel).arg(target()); }
 
 // What has been measured for one offset says nothing of another.
 void PresetterPage::forgetOther() {
@@ -250,10 +266,11 @@ void PresetterPage::composeResult(Writer& w) {
     if (calibrated_) return sentence(Sign::Good, t.good, word("Calibrated: %1 µm a pixel, tilted by %2°").arg(answer_.value("um_per_pixel").toDouble(), 0, 'f', 3).arg(answer_.value("tilt_deg").toDouble(), 0, 'f', 3), false);
     if (answer_.isEmpty()) return sentence(Sign::Note, t.dim, word("«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first."), false);
     double y = px(6);
+    const LengthUnit unit = desk_.live.unit(desk_.channel);
     for (const char* name : {"X", "Z", "R"}) {
         w.text(QRectF(px(12), y, px(26), px(22)), name, lettering(15, true), t.dim);
-        w.text(QRectF(px(40), y, wide * 0.4, px(22)), lengthText(answer_.value(name).toDouble(), 4), lettering(16, true), t.text, kRight);
-        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 %2").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4).arg(*name == 'X' ? word("mm, radius") : unitWord("mm")), lettering(14), t.dim, kRight);
+        w.text(QRectF(px(40), y, wide * 0.4, px(22)), unit.text(answer_.value(name).toDouble(), 4), lettering(16, true), t.text, kRight);
+        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 %2").arg(unit.text(answer_.value(QString(name) + "_error").toDouble(), 4), *name == 'X' ? unit.radius() : unit.name()), lettering(14), t.dim, kRight);
         y += px(22);
     }
     w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("%1 %2     %3°").arg(word("Tip")).arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);
@@ -264,8 +281,9 @@ void PresetterPage::composeResult(Writer& w) {
     for (const auto& one : answer_.value("entries").toArray()) {
         const QJsonObject entry = one.toObject();
         const QString what = entry.value("what").toString(), title = cellTitle(what);
-        const unsigned decimals = what.endsWith(" T") ? 0 : 4;
-        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(title, lengthText(entry.value("old").toDouble(), decimals), lengthText(entry.value("new").toDouble(), decimals)), lettering(13.5, false, Face::Condensed), t.text);
+        const unsigned decimals = what.endsWith(" T") || what.endsWith(" DP2") ? 0 : 4;   // the tip
+        const auto number = [&](const char* name) { return decimals ? unit.text(entry.value(name).toDouble(), decimals) : lengthText(entry.value(name).toDouble(), 0); };
+        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(title, number("old"), number("new")), lettering(13.5, false, Face::Condensed), t.text);
         y += px(20);
     }
 }

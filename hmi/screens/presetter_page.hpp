@@ -39,7 +39,7 @@ protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
-    enum Value : std::uint8_t { kOffset, kPinDiameter, kPinX, kPinZ };
+    enum Value : std::uint8_t { kOffset, kPinDiameter, kPinX, kPinZ, kEdge };
     void open();
     void look();                       // reads the chosen picture
     void take();
@@ -48,7 +48,9 @@ private:
     void calibrate();
     void composeResult(Writer& w);
     QString chosen() const;
-    QString place() const;             // the offset that is written: «L1 3»
+    QString place() const;             // the offset or edge that is written: «L1 3», «L1 T3.D1»
+    QString target() const;            // the same as the command line reads it
+    Value valueOf(int row) const;      // of a channel that uses edges the tool and its edge stand in place of the offset
     void forgetOther();
     QString calibrationFile() const;
 
@@ -69,7 +71,7 @@ private:
     QImage picture_;
     std::vector<QPoint> outline_;
     QRect room_;
-    double number_[4] = {1, 0, 0, 0};   // no gauge pin is known before somebody has entered it
+    double number_[5] = {1, 0, 0, 0, 1};   // no gauge pin is known before somebody has entered it
     QJsonObject answer_;
     QString answerFor_;                // which place() it is of
     QByteArray out_, errors_;

@@ -21,13 +21,18 @@ constexpr std::array<double, 9> kSeconds{0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50};
 constexpr qint64 kValuesMs = 100;   // digits that change faster cannot be read
 constexpr qint64 kRoundMs = 1000;   // a circle is not driven in less
 
-// Units as the other screens have them: feeds mm/min, torque % of the rated one. The kernel records mm/s and thousandths.
-double shownAs(ScopeKind kind) { return kind == ScopeKind::AxisVelocity || kind == ScopeKind::PathSpeed ? 60.0 : kind == ScopeKind::AxisTorque ? 0.1 : 1.0; }
+// Units as the other screens have them: feeds mm/min or inch/min, torque % of the rated one. The kernel records mm, mm/s and thousandths.
+double shownAs(const Live& live, ScopeKind kind, unsigned object) {
+    const bool ofPath = kind == ScopeKind::PathSpeed || kind == ScopeKind::PathLeft, ofAxis = kind >= ScopeKind::AxisCommanded && kind <= ScopeKind::AxisVelocity;
+    const bool compensation = kind == ScopeKind::AxisCompensation, axisKnown = object >= 1 && object <= kMaxAxes;
+    const double size = ofPath ? live.unit(object).size() : (ofAxis || compensation) && axisKnown ? live.unit(live.config().axis(object)).size() : 1.0;
+    return (kind == ScopeKind::AxisVelocity || kind == ScopeKind::PathSpeed ? 60.0 : kind == ScopeKind::AxisTorque ? 0.1 : 1.0) / size;
+}
 
-QString ofAxis(const QString& title, const AxisConfig& axis) {
+QString ofAxis(const QString& title, const AxisConfig& axis, const LengthUnit& unit) {
     if (title == "torque") return "%";
-    if (title == "velocity") return axis.rotary ? "deg/min" : "mm/min";
-    return axis.rotary ? QString::fromUtf8("°") : QString(axis.diameter ? WORD("mm, radius") : "mm");   // the slide's own way, whatever it shows elsewhere
+    if (title == "velocity") return unit.perMinuteKey();
+    return axis.rotary ? QString::fromUtf8("°") : axis.diameter ? QString(unit.inch() ? WORD("inch, radius") : WORD("mm, radius")) : QString(unit.nameKey());   // the slide's own way, whatever it shows elsewhere
 }
 
 }  // namespace
@@ -67,7 +72,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         QString unit;
         const QString title = titleOf(record_.trigger.trace, &unit);
-        return NumberPad::Field{word("Trigger level") + "  " + title, unitWord(unit.toStdString()), record_.trigger.level, 3};
+        return NumberPad::Field{word("Trigger level") + "  " + title, unitWord(unit.toStdString()), record_.trigger.level, unit.startsWith("inch") ? 4u : 3u};
     };
     pad_->onInput = [this](double value) { record_.trigger.level = value, level_ = false, record_.arm(), layOut(); };
     note_->onCompose = [this](Writer& w) {
@@ -97,7 +102,7 @@ QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
     const unsigned object = choice_.object[trace];
     const MachineConfig& machine = desk_.live.config();
     const auto axis = [&](const char* what) {
-        if (unit && object >= 1 && object <= kMaxAxes) *unit = ofAxis(what, machine.axis(object));
+        if (unit && object >= 1 && object <= kMaxAxes) *unit = ofAxis(what, machine.axis(object), desk_.live.unit(machine.axis(object)));
         return QString("A%1 %2 %3").arg(object).arg(object >= 1 && object <= kMaxAxes ? fromView(machine.axis(object).name_text()) : QString(), word(what));
     };
     const auto spindle = [&](const char* what, const char* of) {
@@ -115,8 +120,8 @@ QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
         case ScopeKind::SpindleSpeed: return spindle(WORD("speed"), "1/min");
         case ScopeKind::SpindleAngle: return spindle(WORD("angle"), "°");
         case ScopeKind::SpindleDeviation: return spindle(WORD("deviation"), "°");
-        case ScopeKind::PathSpeed: return unit ? *unit = "mm/min", QString("L%1 %2").arg(object).arg(word("path speed")) : QString("L%1 %2").arg(object).arg(word("path speed"));
-        case ScopeKind::PathLeft: return unit ? *unit = "mm", QString("L%1 %2").arg(object).arg(word("path left")) : QString("L%1 %2").arg(object).arg(word("path left"));
+        case ScopeKind::PathSpeed: return unit ? *unit = desk_.live.unit(object).perMinuteKey(), QString("L%1 %2").arg(object).arg(word("path speed")) : QString("L%1 %2").arg(object).arg(word("path speed"));
+        case ScopeKind::PathLeft: return unit ? *unit = desk_.live.unit(object).nameKey(), QString("L%1 %2").arg(object).arg(word("path left")) : QString("L%1 %2").arg(object).arg(word("path left"));
         case ScopeKind::Input: return word("input %1").arg(object);
         case ScopeKind::NcSignal:
         case ScopeKind::PlcSignal: {
@@ -140,14 +145,14 @@ void ScopePage::fillChoices() {
         for (std::uint32_t a = 1; a <= machine.last_axis; ++a)
             if (machine.axis(a).exists())
                 for (const auto& [words, title] : kAxis)
-                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), ofAxis(title, machine.axis(a))});
+                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), ofAxis(title, machine.axis(a), desk_.live.unit(machine.axis(a)))});
         const std::pair<const char*, const char*> kSpindle[] = {{"speed", WORD("speed")}, {"speed_command", WORD("commanded speed")}, {"angle", WORD("angle")}, {"deviation", WORD("deviation")}};
         for (std::uint32_t s = 1; s <= machine.last_spindle; ++s)
             if (machine.spindle(s).exists())
                 for (const auto& [words, title] : kSpindle) all_.push_back({QString("%1 S%2").arg(words).arg(s), QString("S%1 %2").arg(s).arg(word(title)), QString(words).startsWith("speed") ? QString("1/min") : QString::fromUtf8("°")});
         for (const unsigned l : desk_.live.channels()) {
-            all_.push_back({QString("path L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path speed")), "mm/min"});
-            all_.push_back({QString("left L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path left")), "mm"});
+            all_.push_back({QString("path L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path speed")), desk_.live.unit(l).perMinuteKey()});
+            all_.push_back({QString("left L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path left")), desk_.live.unit(l).nameKey()});
         }
         for (const SignalRow& row : signal_rows()) {
             if (row.kind == SignalKind::Double || row.elements > 0) continue;
@@ -201,7 +206,7 @@ void ScopePage::follow() {
     if (!desk_.live.scopeSamples(next_, fresh) && !first) missed_ = true;
     if (fresh.empty()) return;
     for (std::size_t trace = 0; trace < kScopeTraces; ++trace)
-        if (const double scale = shownAs(static_cast<ScopeKind>(choice_.kind[trace])); scale != 1.0)
+        if (const double scale = shownAs(desk_.live, static_cast<ScopeKind>(choice_.kind[trace]), choice_.object[trace]); scale != 1.0)
             for (ScopeSample& sample : fresh) sample.value[trace] *= scale;
     record_.add(fresh, windowTicks());
     if (!isVisible()) return;
@@ -223,7 +228,10 @@ void ScopePage::takeValues() {
         if (record_.samples().empty() || !span.any()) continue;
         span.add(record_.samples().back().value[trace]);   // newer than what has been painted
         const double division = plot_.scale(trace).division;
-        values_[trace] = {numberText(record_.samples().back().value[trace]), numberText(span.least), numberText(span.most), division > 0 ? ScopePlot::valueText(division, division) : QString()};
+        QString unit;
+        titleOf(trace, &unit);
+        const int decimals = unit.startsWith("inch") ? 4 : 3;
+        values_[trace] = {numberText(record_.samples().back().value[trace], decimals), numberText(span.least, decimals), numberText(span.most, decimals), division > 0 ? ScopePlot::valueText(division, division) : QString()};
     }
 }
 
@@ -341,10 +349,11 @@ void ScopePage::paintCircle(QPainter& p) {
         paintWords(p, QRectF(box.left() + box.width() * 0.68, y + px(24), box.width() * 0.32, px(32)), Qt::AlignLeft | Qt::AlignVCenter, value);
         y += px(66);
     };
-    const auto micrometres = [](double mm) { return QString("%1 %2").arg(mm * 1000, 0, 'f', 1).arg(unitWord("µm")); };
+    const LengthUnit unit = desk_.live.unit(choice_.object[0] >= 1 && choice_.object[0] <= kMaxAxes ? desk_.live.config().axis(choice_.object[0]) : AxisConfig{});   // of the record
+    const auto micrometres = [&](double shown) { return QString("%1 %2").arg(unit.held(shown) * 1000, 0, 'f', 1).arg(unitWord("µm")); };
     row(word("Circularity"), micrometres(round_->error()), t.text);
     row(word("Greatest, least deviation"), micrometres(round_->most) + QString::fromUtf8("  /  ") + micrometres(round_->least), t.text);
-    row(word("Radius, commanded"), QString("%1 %2").arg(round_->radius, 0, 'f', 4).arg(unitWord("mm")), t.text);
+    row(word("Radius, commanded"), QString("%1 %2").arg(round_->radius, 0, 'f', 4).arg(unit.name()), t.text);
     row(word("One ring"), micrometres(greatest / 2), t.dim);
 }
 

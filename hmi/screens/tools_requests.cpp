@@ -51,12 +51,16 @@ void Tools::unload() {
     });
 }
 
-// Whose offsets a tool uses: the channel of the turret in which it stands, or the only one there is; 0: that is not known.
+// Whose offsets a tool uses: the channel of the turret in which it stands, or the only one there is; 0: that is not known. Edges are the
+// tool's own: where it has them and no offset, each channel means the same.
 unsigned Tools::channelOf(const ToolRow& row) const {
     const auto& all = desk_.live.channels();
     for (const unsigned l : all)
         if (row.magazine && static_cast<std::int32_t>(params::get(desk_.live.table(), params::pt_turret_magazine, l)) == row.magazine) return l;
-    return all.size() == 1 ? all.front() : 0;
+    const auto number = static_cast<std::int32_t>(&row - desk_.live.tools().rows.data() + 1);
+    const ToolEdgeTable& edges = desk_.live.edges();
+    const bool ownEdges = row.h_cell == 0 && std::any_of(edges.edges.begin(), edges.edges.begin() + static_cast<std::ptrdiff_t>(edges.count), [&](const ToolEdge& edge) { return edge.tool == number; });
+    return all.size() == 1 || (ownEdges && !all.empty()) ? all.front() : 0;
 }
 
 // A new insert: its life begins, it is not worn any more, and the wear of its offset is none. Of a tool outside the turrets nobody knows in

@@ -69,7 +69,9 @@ void Tools::fillData() {
         const Shown& one = kShown[row];
         const ToolField& field = tool_field(one.field);
         if (column == 0) return {word(one.title), t.text};
-        if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), t.dim};
+        const bool length = std::string_view(one.unit) == "mm" && field.type == ToolFieldType::Number;
+        const LengthUnit unit = length ? desk_.live.commonUnit() : LengthUnit{};
+        if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : length ? unit.name() : unitWord(one.unit), t.dim};
         const bool here = row == table_->row() && textField() && !typed_.isEmpty();
         if (here) return {typed_ + QString::fromUtf8("▏"), t.accent, Sign::None, true};
         if (field.type == ToolFieldType::Flag) {
@@ -79,7 +81,7 @@ void Tools::fillData() {
         if (field.type == ToolFieldType::Life) return {word(kindWord(tool->life_kind)), t.text, Sign::None, true};
         if (field.is_text()) return {QString::fromStdString(tool_text(*tool, field)), t.text, Sign::None, true};
         const double value = tool_number(*tool, field);
-        return {numberText(value), value == field.fallback ? t.dim : t.text, Sign::None, value != field.fallback};
+        return {numberText(unit.of(value), unit.inch() ? 4 : 3), value == field.fallback ? t.dim : t.text, Sign::None, value != field.fallback};
     };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const ToolRow* tool = chosen();
@@ -87,10 +89,14 @@ void Tools::fillData() {
         const Shown& one = kShown[table_->row()];
         const ToolField& field = tool_field(one.field);
         if (field.type != ToolFieldType::Number && field.type != ToolFieldType::Whole) return std::nullopt;
+        if (std::string_view(one.unit) == "mm") {
+            const LengthUnit unit = desk_.live.commonUnit();
+            return NumberPad::Field{word(one.title), unit.name(), tool_number(*tool, field), unit.digits(3), false, unit.size()};
+        }
         return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u};
     };
     pad_->onInput = [this](double now) {
-        if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now));
+        if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now, 6));
     };
 }
 

@@ -19,6 +19,11 @@
         <translation>  z toho čekání</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 a part</source>
+        <translation>%1 na kus</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>%1 ago</source>
         <translation>před %1</translation>
@@ -69,6 +74,11 @@
         <translation>%1 je přihlášen</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is new</source>
+        <translation>Nový břit: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>%1 is not such a value</source>
         <translation>%1 sem nepatří</translation>
@@ -112,11 +122,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 is taken out</source>
         <translation>%1 je vyjmut</translation>
-    </message>
-    <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 mm a part</source>
-        <translation>%1 mm na kus</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -292,6 +297,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>Od dalšího T</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Active at the next T or D</source>
+        <translation>Od dalšího T nebo D</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -507,6 +517,16 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Soudkový závit po oblouku, proti směru hodin</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base</source>
+        <translation>Báze</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base R</source>
+        <translation>Báze R</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1129,6 +1149,11 @@
         <translation>Prodleva na dně; záporná: otáčky</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Edge D</source>
+        <translation>Břit D</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Upravit</translation>
@@ -1679,7 +1704,7 @@
         <translation>Stop posuvu %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Hold all</source>
         <translation>Stop posuvu: vše</translation>
     </message>
@@ -2329,6 +2354,11 @@
         <translation>Nový rozměr</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>New edge</source>
+        <translation>Nový břit</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>New folder</source>
         <translation>Nová složka</translation>
@@ -2682,6 +2712,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Ostatní</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other edges than the job's hold: %1</source>
+        <translation>Platí jiné břity než v zakázce: %1</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -3065,8 +3100,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Proposal: %1 mm</source>
-        <translation>Návrh: %1 mm</translation>
+        <source>Proposal: %1</source>
+        <translation>Návrh: %1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4129,6 +4164,11 @@
         <translation>Tento kanál nemá korekce.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no tools: enter them on the page of tools.</source>
+        <translation>Tento kanál nemá nástroje: zadejte je na stránce nástrojů.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>Kanál nemá revolver.</translation>
@@ -4319,7 +4359,7 @@
         <translation>Příliš málo: nejméně %1.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tool</source>
         <translation>Nástroj</translation>
     </message>
@@ -4349,9 +4389,19 @@
         <translation>Data nástroje</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Tool edges</source>
+        <translation>Břity nástrojů</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool life (0: not monitored)</source>
         <translation>Životnost (0: nesleduje se)</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Tool number</source>
+        <translation>Číslo nástroje</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4462,6 +4512,11 @@
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Turret L%1</source>
         <translation>Revolver L%1</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Type</source>
+        <translation>Typ</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4625,8 +4680,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Wear %1 mm: press again</source>
-        <translation>Opotřebení %1 mm: znovu</translation>
+        <source>Wear %1: press again</source>
+        <translation>Opotřebení %1: znovu</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4702,6 +4757,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Bez účinku:</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without tool management (N2900) programs bring their own tools and edges.</source>
+        <translation>Bez správy nástrojů (N2900) zadává nástroje a břity program.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -5099,6 +5159,16 @@
         <translation>palec</translation>
     </message>
     <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, diameter</source>
+        <translation>palec, průměr</translation>
+    </message>
+    <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, radius</source>
+        <translation>palec, poloměr</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>inch/min</source>
         <translation>palec/min</translation>
@@ -5199,12 +5269,12 @@
         <translation>mm</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, průměr</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, radius</source>
         <translation>mm, poloměr</translation>
     </message>
@@ -5772,6 +5842,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>wear</source>
         <translation>opotřebení</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 T%2 D%3</source>
+        <translation>opotř. L%1, T%2 D%3</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>

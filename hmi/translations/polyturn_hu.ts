@@ -19,6 +19,11 @@
         <translation>  ebből várakozás</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 a part</source>
+        <translation>%1/darab</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>%1 ago</source>
         <translation>%1 óta</translation>
@@ -69,6 +74,11 @@
         <translation>%1 bejelentkezett</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is new</source>
+        <translation>Új él: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>%1 is not such a value</source>
         <translation>%1 ide nem illik</translation>
@@ -112,11 +122,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 is taken out</source>
         <translation>%1 ki van véve</translation>
-    </message>
-    <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 mm a part</source>
-        <translation>%1 mm/darab</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -292,6 +297,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>A következő T-től</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Active at the next T or D</source>
+        <translation>A következő T-től vagy D-től</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -507,6 +517,16 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Hordómenet íven, óramutatóval ellentétesen</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base</source>
+        <translation>Bázis</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base R</source>
+        <translation>Bázis R</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1129,6 +1149,11 @@
         <translation>Várakozás az alján; negatív: fordulatok</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Edge D</source>
+        <translation>Él D</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Szerkesztés</translation>
@@ -1679,7 +1704,7 @@
         <translation>Állj %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Hold all</source>
         <translation>Állj mind</translation>
     </message>
@@ -2329,6 +2354,11 @@
         <translation>Új méret</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>New edge</source>
+        <translation>Új él</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>New folder</source>
         <translation>Új mappa</translation>
@@ -2682,6 +2712,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Egyéb</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other edges than the job's hold: %1</source>
+        <translation>Nem a munka élei érvényesek: %1</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -3065,8 +3100,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Proposal: %1 mm</source>
-        <translation>Javaslat: %1 mm</translation>
+        <source>Proposal: %1</source>
+        <translation>Javaslat: %1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4129,6 +4164,11 @@
         <translation>Ennek a csatornának nincsenek korrekciói.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no tools: enter them on the page of tools.</source>
+        <translation>Ennek a csatornának nincs szerszáma: vigye fel őket a szerszámok oldalán.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>A csatornának nincs revolvere.</translation>
@@ -4319,7 +4359,7 @@
         <translation>Túl kicsi: legalább %1.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tool</source>
         <translation>Szerszám</translation>
     </message>
@@ -4349,9 +4389,19 @@
         <translation>Adatok</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Tool edges</source>
+        <translation>Szerszámélek</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool life (0: not monitored)</source>
         <translation>Éltartam (0: nem figyelt)</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Tool number</source>
+        <translation>Szerszám száma</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4462,6 +4512,11 @@
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Turret L%1</source>
         <translation>L%1 revolverfej</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Type</source>
+        <translation>Típus</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4625,8 +4680,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Wear %1 mm: press again</source>
-        <translation>Kopás %1 mm: nyomja újra</translation>
+        <source>Wear %1: press again</source>
+        <translation>Kopás %1: nyomja újra</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4702,6 +4757,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Hatás nélkül:</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without tool management (N2900) programs bring their own tools and edges.</source>
+        <translation>Szerszámkezelés (N2900) nélkül a program adja meg a szerszámokat és éleket.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -5099,6 +5159,16 @@
         <translation>hüvelyk</translation>
     </message>
     <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, diameter</source>
+        <translation>hüvelyk, átmérő</translation>
+    </message>
+    <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, radius</source>
+        <translation>hüvelyk, sugár</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>inch/min</source>
         <translation>hüvelyk/min</translation>
@@ -5199,12 +5269,12 @@
         <translation>mm</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, átmérő</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, radius</source>
         <translation>mm, sugár</translation>
     </message>
@@ -5772,6 +5842,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>wear</source>
         <translation>kopást</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 T%2 D%3</source>
+        <translation>kopás L%1, T%2 D%3</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>

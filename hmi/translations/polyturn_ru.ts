@@ -19,6 +19,11 @@
         <translation>  из него ожидание</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 a part</source>
+        <translation>%1 на деталь</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>%1 ago</source>
         <translation>%1 назад</translation>
@@ -69,6 +74,11 @@
         <translation>Вход выполнен: %1</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is new</source>
+        <translation>Новая кромка: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>%1 is not such a value</source>
         <translation>%1 сюда не подходит</translation>
@@ -112,11 +122,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 is taken out</source>
         <translation>%1 извлечён</translation>
-    </message>
-    <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 mm a part</source>
-        <translation>%1 мм на деталь</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -292,6 +297,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>Со следующего T</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Active at the next T or D</source>
+        <translation>Со следующего T или D</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -507,6 +517,16 @@
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Бочкообразная резьба по дуге, против часовой стрелки</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base</source>
+        <translation>База</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Base R</source>
+        <translation>База R</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1129,6 +1149,11 @@
         <translation>Выдержка на дне; отрицательная: обороты</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Edge D</source>
+        <translation>Кромка D</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Правка</translation>
@@ -1679,7 +1704,7 @@
         <translation>Стоп подачи %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Hold all</source>
         <translation>Стоп подачи всех</translation>
     </message>
@@ -2329,6 +2354,11 @@
         <translation>Новый размер</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>New edge</source>
+        <translation>Новая кромка</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>New folder</source>
         <translation>Новая папка</translation>
@@ -2682,6 +2712,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Прочее</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other edges than the job's hold: %1</source>
+        <translation>Действуют не те кромки, что в задании: %1</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -3065,8 +3100,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Proposal: %1 mm</source>
-        <translation>Коррекция: %1 мм</translation>
+        <source>Proposal: %1</source>
+        <translation>Коррекция: %1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4129,6 +4164,11 @@
         <translation>У этого канала нет коррекций.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no tools: enter them on the page of tools.</source>
+        <translation>У этого канала нет инструментов: введите их на странице инструментов.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>У канала нет револьвера.</translation>
@@ -4319,7 +4359,7 @@
         <translation>Слишком мало: не меньше %1.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tool</source>
         <translation>Инструмент</translation>
     </message>
@@ -4349,9 +4389,19 @@
         <translation>Данные</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Tool edges</source>
+        <translation>Кромки</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool life (0: not monitored)</source>
         <translation>Ресурс (0: без учёта)</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Tool number</source>
+        <translation>Номер инструмента</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4462,6 +4512,11 @@
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Turret L%1</source>
         <translation>Револьвер L%1</translation>
+    </message>
+    <message>
+        <location filename="../machine/edge_words.cpp"/>
+        <source>Type</source>
+        <translation>Тип</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4625,8 +4680,8 @@
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
-        <source>Wear %1 mm: press again</source>
-        <translation>Износ %1 мм: ещё раз</translation>
+        <source>Wear %1: press again</source>
+        <translation>Износ %1: ещё раз</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4702,6 +4757,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Не действует:</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without tool management (N2900) programs bring their own tools and edges.</source>
+        <translation>Без управления инструментами (N2900) инструменты и кромки задаёт сама программа.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -5099,6 +5159,16 @@
         <translation>дюйм</translation>
     </message>
     <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, diameter</source>
+        <translation>дюйм, диаметр</translation>
+    </message>
+    <message>
+        <location filename="../machine/lengths.cpp"/>
+        <source>inch, radius</source>
+        <translation>дюйм, радиус</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>inch/min</source>
         <translation>дюйм/мин</translation>
@@ -5199,12 +5269,12 @@
         <translation>мм</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, diameter</source>
         <translation>мм, диаметр</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/lengths.cpp"/>
         <source>mm, radius</source>
         <translation>мм, радиус</translation>
     </message>
@@ -5772,6 +5842,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>wear</source>
         <translation>износ</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 T%2 D%3</source>
+        <translation>износ L%1, T%2 D%3</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>

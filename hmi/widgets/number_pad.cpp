@@ -14,8 +14,8 @@ constexpr int kColumns = 5;
 constexpr std::array<const char*, 20> kKeys{"7", "8", "9", "/", "<", "4", "5", "6", "*", "C", "1", "2", "3", "-", "(", "0", ".", "", "+", ")"};
 constexpr int kInput = 100, kAdd = 101;
 
-double counted(const NumberPad::Field& field) { return std::isnan(field.present) ? 0.0 : field.present; }   // what is added to
-QString padNumber(const NumberPad::Field& field, double value) { return field.bits && value >= 0 && value <= 255 ? bitDigits(static_cast<unsigned>(value)) : lengthText(value, field.decimals); }
+double counted(const NumberPad::Field& field) { return std::isnan(field.present) ? 0.0 : field.present / field.size; }   // what is added to
+QString padNumber(const NumberPad::Field& field, double held) { return field.bits && held >= 0 && held <= 255 ? bitDigits(static_cast<unsigned>(held)) : lengthText(held / field.size, field.decimals); }
 QString presentText(const NumberPad::Field& field) { return std::isnan(field.present) ? QString::fromUtf8("–") : padNumber(field, field.present); }
 
 // The control reads 00000011 of a parameter of bits so on every other way: as typed here it must not become eleven.
@@ -39,7 +39,13 @@ std::optional<double> NumberPad::result(const Field& now, bool added) const {
     const auto typed = entry();
     if (!typed) return std::nullopt;
     const double value = added ? counted(now) + typed->value : typed->over(counted(now));
-    return now.decimals == 0 && value != std::floor(value) ? std::nullopt : std::optional(value);   // rounded in silence it would be another number than the typed one
+    return now.decimals == 0 && value != std::floor(value) ? std::nullopt : std::optional(value * now.size);   // rounded in silence it would be another number than the typed one
+}
+
+std::optional<double> NumberPad::held() const {
+    const auto now = field ? field() : std::nullopt;
+    const auto typed = entry();
+    return typed ? std::optional(typed->value * (now ? now->size : 1.0)) : std::nullopt;
 }
 
 bool NumberPad::ready() const {

@@ -21,6 +21,7 @@ public:
         double present = 0;       // NaN: nothing stands there
         unsigned decimals = 3;    // 0: a whole number, and nothing else is taken
         bool bits = false;        // of a parameter: shown as the digits #7 to #0, and eight digits of 0 and 1 are read so
+        double size = 1;          // of one `unit`, as it is held (25.4 of an inch): `present` and what comes out are held, what is typed is not
     };
     // What the number is for; empty: nothing is chosen.
     std::function<std::optional<Field>()> field;
@@ -32,6 +33,7 @@ public:
     void type(const QString& text);           // as if typed
     void enter(bool added);                   // takes over; added: to what stands there, however it was typed
     std::optional<Entry> entry() const;       // what is typed, as the field reads it
+    std::optional<double> held() const;       // its value as it is held, whatever stood there
     bool ready() const;                       // it can be taken over
 
 protected:

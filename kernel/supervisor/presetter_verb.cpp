@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "kernel/supervisor/ask_verbs.hpp"
@@ -66,7 +67,10 @@ int presetter_verb(const StoreOptions& options, const std::string& instance, boo
                    answer.value("included_deg", 0.0));
     }
     if (w.size() < 3) return json ? fmt::print("{}\n", answer.dump()), 0 : 0;
-    Json op = {{"do", "offsets.preset"}, {"channel", w[1][0] == 'L' || w[1][0] == 'l' ? w[1].substr(1) : w[1]}, {"number", w[2]}, {"preview", !options.yes}};
+    Json op = {{"do", "offsets.preset"}, {"channel", w[1][0] == 'L' || w[1][0] == 'l' ? w[1].substr(1) : w[1]}, {"preview", !options.yes}};
+    int tool = 0, edge = 0, used = 0;   // an edge as T3.D1, else the number of an offset
+    if (std::sscanf(w[2].c_str(), "T%d.D%d%n", &tool, &edge, &used) == 2 && static_cast<std::size_t>(used) == w[2].size()) op["tool"] = tool, op["edge"] = edge;
+    else op["number"] = w[2];
     for (const char* name : {"X", "Z", "R", "T"}) op[name] = answer[name];
     std::string text;
     if (!ask(instance, Json{{"do", "store"}, {"op", op}}.dump(-1, ' ', false, Json::error_handler_t::replace), &text)) return 2;

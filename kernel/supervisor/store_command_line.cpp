@@ -38,7 +38,7 @@ constexpr Action kActions[] = {
     {"zeros", "measure", "The tip stands at a surface of the workpiece that is to be here", "L G54 Z=0", 3, 3},
     {"zeros", "touch", "The workpiece setter has answered: shows old, new and difference; with --yes writes", "L [G54] [Z=0]", 1, 3},
     {"presetter", "calibrate", "Scale, tilt and place of the camera by a gauge pin (IMAGE may be camera:0); x and z are the offsets that the middle of its end has, x as a radius", "IMAGE diameter=6 x=50 z=30 [mirrored=1]", 4, 5},
-    {"presetter", "measure", "X, Z, nose radius, tip number and angles of the tool in the picture (PGM, BMP, camera:0, camera:shot_%02d.pgm); with L and NUMBER what would be entered, with --yes enters it", "IMAGE [L NUMBER]", 1, 3},
+    {"presetter", "measure", "X, Z, nose radius, tip number and angles of the tool in the picture (PGM, BMP, camera:0, camera:shot_%02d.pgm); with L and NUMBER (of an edge T3.D1) what would be entered, with --yes enters it", "IMAGE [L NUMBER]", 1, 3},
     {"parts", "list", "Dimensions, what was measured, what is proposed", "", 0, 0},
     {"parts", "add", "A dimension: nominal= upper= lower= tool= channel= axis= limit= share= average= name=", "[NUMBER] COLUMN=VALUE ...", 1, -1},
     {"parts", "set", "Columns of a dimension", "DIMENSION COLUMN=VALUE ...", 2, -1},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/machine/counters.hpp"
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/machine/tool_fields.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
@@ -158,9 +159,15 @@ Json reset(const Json& request, Work& work) {
         set_tool_number(work.values, n, "warned", 0, work.changes);
         set_tool_number(work.values, n, "broken", 0, work.changes);
         go_on_life(work, n, used);
-        // A new insert has no wear: the offset cell says so unless it is asked to stay.
+        // A new insert has no wear: the offset cell and the edges say so unless it is asked to stay.
         std::int64_t channel = 0;
-        if (read_whole(request, "channel", channel, work, false) && row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
+        if (!read_whole(request, "channel", channel, work, false)) continue;
+        for (std::size_t i = work.values.edges.count; i-- > 0;) {   // an edge of wear alone goes with it
+            const ToolEdge edge = work.values.edges.edges[i];
+            for (int dp = kDpWear; edge.tool == n && dp <= kDpWearRadius; ++dp)
+                if (edge.dp[static_cast<std::size_t>(dp)] != 0) set_value(work.values, {Kind::Edge, n, edge.number, dp, {}}, 0, work.changes);
+        }
+        if (row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
             for (int field = 0; field < 4; ++field)
                 set_value(work.values, offset_key(work, channel, row->h_cell, 1, field), 0, work.changes);
     }

@@ -1,10 +1,12 @@
-// Offsets as a setter enters them: absolute, incremental, measured, relative; undo; the history of everything.
+// Offsets as a setter enters them: absolute, incremental, measured, relative; undo; the history of everything. A request that names a tool
+// and an edge means that edge ($TC_DPx) in place of a number of the table.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "ipc/image/segments.hpp"
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/machine/work_zeros.hpp"
@@ -13,6 +15,7 @@
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/tool_json.hpp"
 #include "toolmgmt/operations/upright.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
@@ -29,6 +32,21 @@ const OffsetCell& offset_cell(const Work& work, std::int64_t channel, std::int64
     return work.values.channels[static_cast<std::size_t>(offset_owner(work.values.parameters, work.machine, channel, number) - 1)].offsets[static_cast<std::size_t>(number)];
 }
 
+namespace {
+
+// N1415 and PT_WEAR_STEP; empty: the value may be entered.
+std::string wear_refusal(const Work& work, const ChannelConfig& config, double now, double value) {
+    // N1415: 0 stands for one millimetre, or 0.394 inch (part 1, 15.1).
+    const double stated = params::get(work.values.parameters, params::n1415_max_amount_of_wear_comp, config.number) * config.length_unit_mm();
+    const double most = stated > 0 ? stated : config.length_unit_mm() > 1.0 ? 0.394 * config.length_unit_mm() : 1.0;
+    if (std::abs(value) > most) return "wear is " + shortest_text(most) + " mm at the most (N1415)";
+    const double step = params::get(work.values.parameters, params::pt_wear_step, config.number) * config.length_unit_mm();
+    if (step > 0 && std::abs(value - now) > step * (1 + 1e-9)) return "one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)";
+    return {};
+}
+
+}  // namespace
+
 bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int table, int field, double value) {
     const Key key = offset_key(work, channel, number, table, field);
     const auto refuse = [&](Alarm alarm, const std::string& why) { return work.fault(alarm, describe(key) + "=" + shortest_text(value) + ": " + why), false; };
@@ -38,29 +56,115 @@ bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int tab
     if (number > config.offset_count) return refuse(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has " + std::to_string(config.offset_count) + " (N1400)");
     if (table != 1 && work.caller.level < UserLevel::Setter) return refuse(Alarm::LevelTooLow, "geometry is the setter's");
     if (field == 4 && (value < 0 || value > 9 || value != std::trunc(value))) return refuse(Alarm::StoreRequestBad, "tip directions are 0 to 9");
-    if (table == 1 && field != 4) {
-        // N1415: 0 stands for one millimetre, or 0.394 inch (part 1, 15.1).
-        const double stated = params::get(work.values.parameters, params::n1415_max_amount_of_wear_comp, config.number) * config.length_unit_mm();
-        const double most = stated > 0 ? stated : config.length_unit_mm() > 1.0 ? 0.394 * config.length_unit_mm() : 1.0;
-        if (std::abs(value) > most) return refuse(Alarm::StoreRequestBad, "wear is " + shortest_text(most) + " mm at the most (N1415)");
-        const double step = params::get(work.values.parameters, params::pt_wear_step, config.number) * config.length_unit_mm();
-        if (step > 0 && std::abs(value - *now) > step * (1 + 1e-9)) return refuse(Alarm::StoreRequestBad, "one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)");
-    }
+    if (table == 1 && field != 4)
+        if (const std::string why = wear_refusal(work, config, *now, value); !why.empty()) return refuse(Alarm::StoreRequestBad, why);
     set_value(work.values, key, value + 0.0, work.changes);
     look_at_wear(work.values, static_cast<unsigned>(key.scope), number, work.changes);
     return true;
 }
 
+bool enter_edge(Work& work, std::int32_t channel, std::int32_t tool, std::int32_t edge, int dp, double value) {
+    const Key key{Kind::Edge, tool, edge, dp, {}};
+    const auto refuse = [&](Alarm alarm, const std::string& why) { return work.fault(alarm, describe(key) + "=" + shortest_text(value) + ": " + why), false; };
+    const ToolRow* row = work.values.tool(tool);
+    if (!row || !row->used) return work.fault(Alarm::ToolMissing, std::to_string(tool)), false;
+    if (channel < 1 || channel > static_cast<std::int32_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists()) return refuse(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist");
+    if (!is_edge_wear(dp) && work.caller.level < UserLevel::Setter) return refuse(Alarm::LevelTooLow, "geometry is the setter's");
+    const ToolEdge* found = find_edge(work.values, tool, edge);
+    if (dp >= kDpWear && dp <= kDpWearRadius)
+        if (const std::string why = wear_refusal(work, work.machine.channel(static_cast<std::size_t>(channel)), found ? found->dp[static_cast<std::size_t>(dp)] : 0.0, value); !why.empty()) return refuse(Alarm::StoreRequestBad, why);
+    if (!set_field(work, tool, "D" + std::to_string(edge) + ".DP" + std::to_string(dp), shortest_text(value + 0.0), 0)) return false;
+    if (is_edge_wear(dp)) look_at_edge_wear(work.values, tool, work.changes);
+    return true;
+}
+
+int edge_parameter(const Work& work, std::int32_t channel, std::int32_t tool, std::int32_t edge, int table, int field, unsigned plane) {
+    constexpr int kRadius[] = {kDpRadius, kDpWearRadius, kDpBaseRadius}, kLength[] = {kDpLength, kDpWear, kDpBase};
+    if (field == 4) return kDpTip;
+    if (field == 3) return kRadius[table];
+    const ToolEdge* found = find_edge(work.values, tool, edge);
+    const int length = length_along(axes_of_edge(work.values.parameters, static_cast<unsigned>(channel), found ? static_cast<int>(found->dp[kDpType]) : 0, plane), field);
+    return length < 0 ? -1 : kLength[table] + length;
+}
+
+double share_in_offsets(const AxisConfig& axis) { return axis.diameter && !axis.offset_diameter ? 0.5 : 1.0; }
+double share_in_edges(const AxisConfig& axis) { return axis.diameter ? 0.5 : 1.0; }
+
 namespace {
 
+// A value of the offset table, or of a tool's edge where `tool` is not 0.
 struct Target {
     std::int64_t channel = 1, number = 0;
     int table = 0, field = 0;
+    std::int32_t tool = 0, edge = 0;
+    int dp = 0;
+    bool of_edge() const { return tool != 0; }
 };
+
+// «"tool": 5, "edge": 1»: false when the request is about the offset table, or wrong.
+bool read_edge(const Json& request, Work& work, Target& out) {
+    std::int64_t tool = 0, edge = 1;
+    if (!request.contains("tool") || !read_whole(request, "tool", tool, work)) return false;
+    read_whole(request, "edge", edge, work, false);
+    const ToolRow* row = work.values.tool(tool);
+    if (!row || !row->used) return work.fault(Alarm::ToolMissing, std::to_string(tool)), false;
+    if (edge < 1 || edge > kMostEdgesOfTool) return work.fault(Alarm::StoreRequestBad, "edges are D1 to D" + std::to_string(kMostEdgesOfTool), 0, "edge"), false;
+    out.tool = static_cast<std::int32_t>(tool), out.edge = static_cast<std::int32_t>(edge);
+    return true;
+}
+
+// Which parameter of the edge table and field mean, in the plane that the request says (17, 18, 19; 18 where it says none).
+bool find_parameter(const Json& request, Work& work, Target& target) {
+    std::int64_t plane = 18;
+    read_whole(request, "plane", plane, work, false);
+    if (plane < 17 || plane > 19) return work.fault(Alarm::StoreRequestBad, "planes are 17, 18 and 19", 0, "plane"), false;
+    target.dp = edge_parameter(work, static_cast<std::int32_t>(target.channel), target.tool, target.edge, target.table, target.field, static_cast<unsigned>(plane - 17));
+    if (target.dp < 0) return work.fault(Alarm::StoreRequestBad, "tool " + std::to_string(target.tool) + " D" + std::to_string(target.edge) + " has no length along " + kFields[static_cast<std::size_t>(target.field)] + " in G" + std::to_string(plane), 0, "field"), false;
+    return work.good();
+}
+
+Key key_of(const Work& work, const Target& target) {
+    if (target.of_edge()) return {Kind::Edge, target.tool, target.edge, target.dp, {}};
+    return offset_key(work, target.channel, target.number, target.table, target.field);
+}
+
+double value_now(const Work& work, const Target& target) {
+    if (target.of_edge()) {
+        const ToolEdge* found = find_edge(work.values, target.tool, target.edge);
+        return found && target.dp > 0 && target.dp < 36 ? found->dp[static_cast<std::size_t>(target.dp)] : 0.0;
+    }
+    const double* now = number_at(work.values, key_of(work, target));
+    return now ? *now : 0.0;
+}
+
+// What else the sum has along that axis (X, Y, Z) that acts: geometry and wear of an offset; of an edge its base too.
+double beside(const Work& work, const Target& target) {
+    if (target.of_edge()) {
+        const ToolEdge* found = find_edge(work.values, target.tool, target.edge);
+        if (!found) return 0.0;
+        const std::size_t length = static_cast<std::size_t>(target.dp - (target.table == 0 ? kDpLength : target.table == 1 ? kDpWear : kDpBase));
+        return found->dp[kDpLength + length] + found->dp[kDpWear + length] + found->dp[kDpBase + length] - found->dp[static_cast<std::size_t>(target.dp)];
+    }
+    if (!number_at(work.values, key_of(work, target))) return 0.0;
+    const OffsetCell& cell = offset_cell(work, target.channel, target.number);
+    const auto field = static_cast<std::size_t>(target.field);
+    return target.table == 0 ? cell.wear[field] : target.table == 1 ? cell.geometry[field] : 0.0;
+}
+
+double share(const Target& target, const AxisConfig& axis) { return target.of_edge() ? share_in_edges(axis) : share_in_offsets(axis); }
+
+bool enter(Work& work, const Target& target, double value) {
+    if (target.of_edge()) return enter_edge(work, static_cast<std::int32_t>(target.channel), target.tool, target.edge, target.dp, value);
+    return enter_offset(work, static_cast<std::int32_t>(target.channel), key_of(work, target).number, target.table, target.field, value);
+}
 
 bool read_target(const Json& request, Work& work, Target& out) {
     read_whole(request, "channel", out.channel, work, false);
-    if (!read_whole(request, "number", out.number, work)) return false;
+    if (!read_edge(request, work, out)) {
+        if (!work.good() || !read_whole(request, "number", out.number, work)) return false;
+    } else if (std::int64_t dp = 0; read_whole(request, "dp", dp, work, false)) {
+        return out.dp = static_cast<int>(dp), work.good();
+    }
     const std::string table = request.contains("table") ? read_text(request, "table") : "geometry", field = read_text(request, "field");
     const auto at = std::find(std::begin(kTables), std::end(kTables), table);
     const auto which = field.size() == 1 ? kFields.find(field[0]) : std::string_view::npos;
@@ -68,11 +172,8 @@ bool read_target(const Json& request, Work& work, Target& out) {
     if (which == std::string_view::npos) return work.fault(Alarm::StoreRequestBad, "field " + field + ": X Y Z R or T", 0, "field"), false;
     out.table = static_cast<int>(at - std::begin(kTables));
     out.field = static_cast<int>(which);
-    return work.good();
+    return work.good() && (!out.of_edge() || find_parameter(request, work, out));
 }
-
-// Offsets of the axis are radii in the table while positions are diameters (F5004 #1): the share of a shown length that is entered.
-double table_share(const AxisConfig& axis) { return axis.diameter && !axis.offset_diameter ? 0.5 : 1.0; }
 
 // Where the axis stands, as it is displayed.
 bool position_now(Work& work, std::int64_t channel, int field, double& out, const AxisConfig*& axis) {
@@ -89,12 +190,10 @@ Json set(const Json& request, Work& work) {
     Target target;
     double value = 0;
     if (!read_target(request, work, target) || !read_real(request, "value", value, work)) return {};
-    const Key key = offset_key(work, target.channel, target.number, target.table, target.field);
-    const double* now = number_at(work.values, key);
-    const double before = now ? *now : 0.0;
+    const double before = value_now(work, target);
     if (request.value("incremental", false)) value += before;
-    enter_offset(work, static_cast<std::int32_t>(target.channel), key.number, target.table, target.field, value);
-    return {{"what", describe(key)}, {"old", before}, {"new", value}};
+    enter(work, target, value);
+    return {{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}};
 }
 
 // The tip stands where the workpiece measures `value` (diameter on a diameter axis): machine = zero + value + offset.
@@ -108,14 +207,11 @@ Json measure(const Json& request, Work& work) {
     if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
     const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
     const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros[kZeroExternal * kChannelAxes + axis->slot];
-    const Key key = offset_key(work, target.channel, target.number, target.table, target.field);
-    const double* now = number_at(work.values, key);
-    const double before = now ? *now : 0.0;
+    const double before = value_now(work, target);
     // Wear stays what it is: what is measured is the sum of both.
-    const double wear = target.table == 0 && now ? offset_cell(work, target.channel, target.number).wear[static_cast<std::size_t>(target.field)] : 0.0;
-    const double fresh = (position - zero - value) * table_share(*axis) - wear;
-    enter_offset(work, static_cast<std::int32_t>(target.channel), key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
-    return {{"what", describe(key)}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+    const double fresh = (position - zero - value) * share(target, *axis) - (target.table == 0 ? beside(work, target) : 0.0);
+    enter(work, target, std::round(fresh * 1e6) / 1e6);
+    return {{"what", describe(key_of(work, target))}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
 
 // N0205 to N0216: where the setter switches, by spindle, axis and direction of travel; as the table shows it, in mm.
@@ -144,36 +240,40 @@ Json touched(const Json& request, Work& work) {
     const AxisConfig& axis = work.machine.axis(touch->axis);
     const auto field = axis.role == PlaneRole::BasicX ? std::size_t{0} : axis.role == PlaneRole::BasicY ? std::size_t{1} : std::size_t{2};
     if (axis.role != PlaneRole::BasicX && axis.role != PlaneRole::BasicY && axis.role != PlaneRole::BasicZ) return work.fault(Alarm::SetterNoTouch, "axis " + std::string(axis.name_text())), Json();
-    // N3016 ONS: the PLC says which offset is measured.
+    // N3016 ONS: the PLC says which offset is measured; of a tool with edges, which D.
     const bool by_plc = params::bit(t, params::n3016_tool_wp_setter_config, l, 0);
-    const bool named = request.contains("number");
-    if (named && !read_whole(request, "number", number, work)) return {};
+    Target target;
+    target.channel = channel, target.table = table == "wear" ? 1 : 0, target.field = static_cast<int>(field);
+    const bool of_edge = read_edge(request, work, target), named = request.contains(of_edge ? "edge" : "number");
+    if (!work.good()) return {};
+    if (of_edge) number = target.edge;
+    else if (named && !read_whole(request, "number", number, work)) return {};
     if (by_plc) {
         if (named && number != touch->plc_offset) return work.fault(Alarm::StoreRequestBad, "the PLC has chosen offset " + std::to_string(touch->plc_offset) + " (N3016 ONS, CP_OFFSNO)", 0, "number"), Json();
         number = touch->plc_offset;
     } else if (!named) {
         return work.fault(Alarm::StoreRequestBad, "number is missing", 0, "number"), Json();
     }
-    const int which = table == "wear" ? 1 : 0;
-    const Key key = offset_key(work, channel, number, which, static_cast<int>(field));
-    const double* now = number_at(work.values, key);
-    const double before = now ? *now : 0.0;
-    const double machine = upright_touch(work, l, axis, *touch) * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
-    double other = 0;   // what the sum of geometry and wear has from the other table
-    if (now) {
-        const OffsetCell& cell = offset_cell(work, channel, number);
-        other = which ? cell.geometry[field] : cell.wear[field];
+    target.number = number;
+    if (of_edge) {
+        if (number < 1 || number > kMostEdgesOfTool) return work.fault(Alarm::StoreRequestBad, "edges are D1 to D" + std::to_string(kMostEdgesOfTool), 0, "edge"), Json();
+        target.edge = static_cast<std::int32_t>(number);
+        if (!find_parameter(request, work, target)) return {};
     }
-    const double fresh = std::round(((machine - contact) * table_share(axis) - other) * 1e6) / 1e6;
-    enter_offset(work, static_cast<std::int32_t>(channel), key.number, which, static_cast<int>(field), fresh);
-    return {{"what", describe(key)}, {"machine", machine}, {"contact", contact}, {"setter", touch->spindle()}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+    const double before = value_now(work, target);
+    const double machine = upright_touch(work, l, axis, *touch) * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
+    const double fresh = std::round(((machine - contact) * share(target, axis) - beside(work, target)) * 1e6) / 1e6;
+    enter(work, target, fresh);
+    return {{"what", describe(key_of(work, target))}, {"machine", machine}, {"contact", contact}, {"setter", touch->spindle()}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
 
-// What a presetter has measured (X as a radius): geometry, nose radius and tip number of one offset.
+// What a presetter has measured (X as a radius): geometry, nose radius and tip number of one offset or edge.
 Json preset(const Json& request, Work& work) {
-    std::int64_t channel = 1, number = 0;
-    read_whole(request, "channel", channel, work, false);
-    if (!read_whole(request, "number", number, work)) return {};
+    Target target;
+    read_whole(request, "channel", target.channel, work, false);
+    const bool of_edge = read_edge(request, work, target);
+    if (!work.good() || (!of_edge && !read_whole(request, "number", target.number, work))) return {};
+    const std::int64_t channel = target.channel;
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
         return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist"), Json();
     Json rows = Json::array();
@@ -188,14 +288,14 @@ Json preset(const Json& request, Work& work) {
                 work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has no axis " + name, 0, name);
                 continue;
             }
-            if (axis->offset_diameter) value *= 2;
+            if (axis->offset_diameter && !of_edge) value *= 2;
             value = std::round(value * 1e4) / 1e4;
         }
-        const Key key = offset_key(work, channel, number, 0, field);
-        const double* now = number_at(work.values, key);
-        const double before = now ? *now : 0.0;
-        if (!enter_offset(work, static_cast<std::int32_t>(channel), key.number, 0, field, value)) continue;
-        rows.push_back({{"what", describe(key)}, {"old", before}, {"new", value}, {"difference", std::round((value - before) * 1e6) / 1e6}});
+        target.field = field;
+        if (of_edge && !find_parameter(request, work, target)) continue;
+        const double before = value_now(work, target);
+        if (!enter(work, target, value)) continue;
+        rows.push_back({{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}, {"difference", std::round((value - before) * 1e6) / 1e6}});
     }
     return {{"entries", std::move(rows)}};
 }
@@ -223,9 +323,9 @@ Json relative(const Json& request, Work& work) {
     if (!read_target(request, work, target) || !position_now(work, target.channel, target.field, position, axis)) return {};
     const Cell* from = work.values.cell({Kind::Setting, static_cast<std::int32_t>(target.channel), target.field, 0, "relative origin"});
     if (!from) return work.fault(Alarm::StoreRequestBad, "the relative counter has no origin yet: offsets origin"), Json();
-    const double value = std::round((position - from->number) * table_share(*axis) * 1e6) / 1e6;
-    enter_offset(work, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table, target.field, value);
-    return {{"new", value}, {"machine", position}, {"origin", from->number}};
+    const double value = std::round((position - from->number) * share(target, *axis) * 1e6) / 1e6, before = value_now(work, target);
+    enter(work, target, value);
+    return {{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}, {"machine", position}, {"origin", from->number}};
 }
 
 Json list(const Json& request, Work& work) {

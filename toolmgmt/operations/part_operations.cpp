@@ -3,7 +3,8 @@
 //
 //   deviation   measured - nominal, of each part since the last correction
 //   proposal    (middle of the tolerance - mean of the newest `average` deviations) * share, at most `limit` up or down; added to
-//               the wear of the axis. The nominal itself may be a limit (30 h6): brought there, every second part is scrap.
+//               the wear of the axis (of an offset, or of an edge of the tool); half of it where that is a radius and the axis shows
+//               diameters. The nominal itself may be a limit (30 h6): brought there, every second part is scrap.
 //   trend       straight line through the deviations since the last correction: mm a part, and after how many more parts the
 //               dimension leaves its tolerance at that rate
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/machine/shortest_text.hpp"
+#include "ipc/params/registry.hpp"
+#include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
@@ -27,7 +30,7 @@ struct Column {
 };
 constexpr Column kColumns[] = {
     {"nominal", -1e5, 1e5, 0, true}, {"upper", -1e3, 1e3, 0, true}, {"lower", -1e3, 1e3, 0, true}, {"tool", 1, 1000, 0, false}, {"channel", 1, 16, 1, false},
-    {"offset", 1, 999, 0, false},    {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
+    {"offset", 1, 999, 0, false},    {"edge", 0, 12, 0, false}, {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
 };
 
 Key dimension_key(std::int32_t number, std::string name) { return {Kind::Dimension, 0, number, 0, std::move(name)}; }
@@ -60,6 +63,25 @@ std::int32_t cell_of(const StoreValues& values, std::int32_t number) {
     return row && row->used ? row->h_cell : 0;
 }
 
+// D of the dimension's tool that it corrects; 0: an offset is corrected. Where neither was said, the language of the channel decides.
+std::int32_t edge_of(const StoreValues& values, std::int32_t number) {
+    const auto tool = static_cast<std::int32_t>(value_of(values, number, "tool", 0)), said = static_cast<std::int32_t>(value_of(values, number, "edge", 0));
+    const ToolRow* row = values.tool(tool);
+    if (!row || !row->used || value_of(values, number, "offset", 0) != 0) return 0;
+    if (said) return said;
+    const auto channel = static_cast<unsigned>(value_of(values, number, "channel", 1));
+    const bool by_edges = row->h_cell == 0 || params::get_text(values.parameters, params::pt_language, channel) == "sinumerik";
+    return by_edges && find_edge(values, tool, 1) ? 1 : 0;
+}
+
+// How much of a deviation is added to the wear: where positions of the axis are diameters, a table of radii takes half.
+double share_of(const StoreValues& values, const MachineConfig& machine, std::int32_t number) {
+    const auto channel = static_cast<std::size_t>(value_of(values, number, "channel", 1));
+    constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    const AxisConfig* axis = find_axis(machine, channel, kRoles[axis_of(values, number)]);
+    return !axis ? 1.0 : edge_of(values, number) ? share_in_edges(*axis) : share_in_offsets(*axis);
+}
+
 // Millimetres a part; 0 from less than two.
 double slope(const std::vector<double>& y) {
     const auto n = static_cast<double>(y.size());
@@ -72,9 +94,11 @@ double slope(const std::vector<double>& y) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-Json dimension(const StoreValues& values, std::int32_t number) {
+Json dimension(const Work& work, std::int32_t number) {
+    const StoreValues& values = work.values;
     Json out = {{"dimension", number}, {"name", text_of(values, number, "name")}, {"axis", std::string(1, "XYZ"[axis_of(values, number)])}, {"cell", cell_of(values, number)}};
     for (const Column& column : kColumns) out[column.name] = value_of(values, number, column.name, column.fallback);
+    out["edge"] = edge_of(values, number);   // that it corrects
     const auto all = deviations(values, number);
     const double upper = value_of(values, number, "upper", 0), lower = value_of(values, number, "lower", 0);
     out["measured"] = all.size();
@@ -88,7 +112,7 @@ Json dimension(const StoreValues& values, std::int32_t number) {
     double mean = 0;
     for (std::size_t i = all.size() - window; i < all.size(); ++i) mean += all[i] / static_cast<double>(window);
     const double limit = value_of(values, number, "limit", 0.05);
-    const double wanted = ((upper + lower) / 2 - mean) * value_of(values, number, "share", 100) / 100.0 * value_of(values, number, "factor", 1);
+    const double wanted = ((upper + lower) / 2 - mean) * value_of(values, number, "share", 100) / 100.0 * value_of(values, number, "factor", 1) * share_of(values, work.machine, number);
     out["mean"] = rounded(mean);
     out["proposal"] = rounded(std::clamp(wanted, -limit, limit));
     out["limited"] = std::fabs(wanted) > limit;
@@ -136,7 +160,7 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "list") {
         Json out = Json::array();
         for (std::int32_t n = 1; n <= 999; ++n)
-            if (exists(values, n)) out.push_back(dimension(values, n));
+            if (exists(values, n)) out.push_back(dimension(work, n));
         return {{"dimensions", std::move(out)}};
     }
     std::int64_t asked = 0;
@@ -147,7 +171,7 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "add") {
         if (exists(values, number)) return work.fault(Alarm::StoreRequestBad, "dimension " + std::to_string(number) + " exists"), Json();
         if (!read_fields(work, request, number, true)) return {};
-        return dimension(values, number);
+        return dimension(work, number);
     }
     if (!exists(values, number)) return work.fault(Alarm::StoreRequestBad, "there is no dimension " + std::to_string(number)), Json();
     if (what == "set") {
@@ -166,13 +190,23 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
         set_value(values, dimension_key(number, "m" + std::to_string(static_cast<int>(count) % kKept)), value, work.changes);
         set_value(values, dimension_key(number, "count"), count + 1, work.changes);
     } else if (what == "accept") {
-        const Json now = dimension(values, number);
+        const Json now = dimension(work, number);
         double correction = now.value("proposal", 0.0);
         if (!now.contains("proposal")) return work.fault(Alarm::StoreRequestBad, "nothing was measured since the last correction"), Json();
         read_real(request, "value", correction, work, false);
         const double limit = value_of(values, number, "limit", 0.05);
         if (std::fabs(correction) > limit) return work.fault(Alarm::StoreRequestBad, "a correction of " + shortest_text(correction) + " mm: at most " + shortest_text(limit), 0, "value"), Json();
         const auto channel = static_cast<std::int32_t>(value_of(values, number, "channel", 1));
+        if (const std::int32_t edge = edge_of(values, number)) {
+            const auto tool = static_cast<std::int32_t>(value_of(values, number, "tool", 0));
+            const int dp = edge_parameter(work, channel, tool, edge, 1, axis_of(values, number));
+            if (dp < 0) return work.fault(Alarm::StoreRequestBad, "tool " + std::to_string(tool) + " D" + std::to_string(edge) + " has no length along " + std::string(1, "XYZ"[axis_of(values, number)])), Json();
+            const ToolEdge* found = find_edge(values, tool, edge);
+            const double before = found ? found->dp[static_cast<std::size_t>(dp)] : 0.0;
+            if (!enter_edge(work, channel, tool, edge, dp, rounded(before + correction))) return {};
+            forget(work, number);
+            return {{"what", describe(Key{Kind::Edge, tool, edge, dp, {}})}, {"old", before}, {"new", rounded(before + correction)}};
+        }
         const std::int32_t cell = cell_of(values, number);
         if (cell == 0) return work.fault(Alarm::StoreRequestBad, "dimension " + std::to_string(number) + " names neither an offset nor a tool with one"), Json();
         const int axis = axis_of(values, number);
@@ -185,7 +219,7 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
     } else {
         return work.fault(Alarm::StoreRequestBad, "parts." + std::string(what)), Json();
     }
-    return dimension(values, number);
+    return dimension(work, number);
 }
 
 }  // namespace polyturn::toolmgmt

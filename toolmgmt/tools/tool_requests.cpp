@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/machine/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
@@ -117,6 +118,17 @@ void look_at_wear(StoreValues& values, unsigned channel, std::int32_t cell, std:
     }
 }
 
+void look_at_edge_wear(StoreValues& values, std::int32_t tool, std::vector<Change>& changes) {
+    const ToolRow* row = values.tool(tool);
+    if (!row || !row->used || row->h_cell != 0 || static_cast<LifeKind>(row->life_kind) != LifeKind::Wear) return;
+    double most = 0;
+    for (std::size_t i = 0; i < values.edges.count; ++i) {
+        const ToolEdge& edge = values.edges.edges[i];
+        for (int dp = kDpWear; edge.tool == tool && dp < kDpWearRadius; ++dp) most = std::max(most, std::fabs(edge.dp[static_cast<std::size_t>(dp)]));
+    }
+    use_up(values, tool, LifeKind::Wear, most - row->counter, changes);
+}
+
 bool is_tool_request(const StoreRequest& request) {
     const auto kind = static_cast<StoreRequestKind>(request.kind);
     return kind >= StoreRequestKind::ToolCall && kind <= StoreRequestKind::LifeGroup;
@@ -194,6 +206,7 @@ Result<Applied> apply_tool_request(const StoreRequest& request, StoreValues& val
             if (!row || edge < 1 || edge > 12 || dp < 1 || dp > 35 || !std::isfinite(request.value)) return refused("a value of an edge that cannot exist");
             if (!row->used) set_tool_number(values, request.number, "exists", 1, applied.changes);
             set_value(values, {Kind::Edge, request.number, edge, dp, {}}, request.value, applied.changes);
+            if (is_edge_wear(dp)) look_at_edge_wear(values, request.number, applied.changes);
             return applied;
         }
         case StoreRequestKind::LifeGroup: return apply_life_group(request, values);

@@ -24,5 +24,7 @@ bool set_text(StoreValues& values, const Key& key, std::string_view text, std::v
 void use_up(StoreValues& values, std::int32_t tool, LifeKind kind, double amount, std::vector<Change>& changes);
 // After wear offsets of a channel changed: tools whose life is wear look at their cell.
 void look_at_wear(StoreValues& values, unsigned channel, std::int32_t cell, std::vector<Change>& changes);
+// The same after the wear of an edge changed: of a tool that has no cell.
+void look_at_edge_wear(StoreValues& values, std::int32_t tool, std::vector<Change>& changes);
 
 }  // namespace polyturn::toolmgmt

@@ -36,7 +36,7 @@ inline void frames(MainWindow& window, int ms = 60) {
 
 class Controller {
 public:
-    explicit Controller(QString machine = {}) : name(QString("hmi-test-%1").arg(::getpid())), machine_(std::move(machine)) {
+    explicit Controller(QString machine = {}, QStringList parameters = {}) : name(QString("hmi-test-%1").arg(::getpid())), machine_(std::move(machine)), parameters_(std::move(parameters)) {
         process_.setProcessChannelMode(QProcess::MergedChannels);
         process_.setStandardOutputFile(folder.filePath("log"));
         start();
@@ -47,7 +47,9 @@ public:
     }
     void start() {
         const QStringList machine = machine_.isEmpty() ? QStringList() : QStringList{machine_};
-        process_.start(program(), QStringList{"start"} << machine << QStringList{"--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
+        QStringList own;
+        for (const QString& one : parameters_) own << "--set" << one;
+        process_.start(program(), QStringList{"start"} << machine << own << QStringList{"--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
         EXPECT_TRUE(waitFor([&] { return run({"status", "--instance", name}); }));
     }
     void stop() {
@@ -64,6 +66,7 @@ public:
 private:
     static QString program() { return QString(POLYTURN_BIN_DIR) + "/polyturn"; }
     QString machine_;                              // of the examples; empty: the default one
+    QStringList parameters_;                       // of its own, «N0104=00000001»
     QProcess process_;
 };
 
