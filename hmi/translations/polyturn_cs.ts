@@ -29,6 +29,11 @@
         <translation>%1 podle %2: přímost</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 cannot be the name of a program</source>
+        <translation>%1 nemůže být jménem programu</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
         <translation>%1 má novou destičku: životnost začíná znovu, opotřebení její korekce zůstává</translation>
@@ -114,6 +119,11 @@
         <translation>%1 je vyjmut</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is there already</source>
+        <translation>%1 už existuje</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>%1 mm a part</source>
         <translation>%1 mm na kus</translation>
@@ -124,9 +134,19 @@
         <translation>%1 z %2</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 run</source>
+        <translation>běží: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s po startu řízení</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 stand</source>
+        <translation>stojí: %1</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -254,6 +274,11 @@
         <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. «Kontrola, čekání» prohlédne celý program.</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
+        <translation>Běží program: ručně se osy posouvají při zastavení, po «Odjet»</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Start vyžaduje:</translation>
@@ -337,6 +362,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Pojedou všechny osy: stiskněte znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>All channels</source>
+        <translation>Všechny kanály</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -449,6 +479,11 @@
         <translation>Osy a pohony</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Axes are moved by hand while the machine is on</source>
+        <translation>Osy se posouvají ručně při zapnutém stroji</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Axes of L%1</source>
         <translation>Osy L%1</translation>
@@ -512,6 +547,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Před</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Begins anew, stood in line %1: press again</source>
+        <translation>Začne znovu (stál na řádku %1): znovu</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1219,14 +1259,19 @@
         <translation>Ukončen</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Ukončí vše: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Ukončí program: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Ends the programs of the group: press again</source>
+        <translation>Ukončí celou skupinu: znovu</translation>
     </message>
     <message>
         <location filename="../widgets/text_pad.cpp"/>
@@ -1634,6 +1679,11 @@
         <translation>Zapichování v Z</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Group %1</source>
+        <translation>Skupina %1</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Příručka</translation>
@@ -1674,14 +1724,19 @@
         <translation>Historie</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold %1</source>
         <translation>Stop posuvu %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold all</source>
         <translation>Stop posuvu: vše</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Hold group %1</source>
+        <translation>Stop posuvu: skupina %1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2342,6 +2397,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>New name</source>
         <translation>Nový název</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New program</source>
+        <translation>Nový program</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -3249,19 +3309,19 @@
         <translation>Reset</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset %1</source>
         <translation>Reset %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Reset L%1</source>
-        <translation>Reset L%1</translation>
-    </message>
-    <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset all</source>
         <translation>Reset všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Reset group %1</source>
+        <translation>Reset skupiny %1</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3539,14 +3599,19 @@
         <translation>Po bloku</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block %1</source>
         <translation>Po bloku %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
         <translation>Po bloku: vše</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Single block group %1</source>
+        <translation>Po bloku: skupina %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3659,12 +3724,12 @@
         <translation>Začátek</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start all</source>
         <translation>Start všech</translation>
     </message>
@@ -3677,6 +3742,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Start goes backwards</source>
         <translation>Start jede zpět</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Start group %1</source>
+        <translation>Start skupiny %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3704,9 +3774,14 @@
         <translation>Startuje</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Spustí vše: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Starts the whole group: press again</source>
+        <translation>Spustí celou skupinu: znovu</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3902,6 +3977,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Osy jsou volné: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The axes go back: press again</source>
+        <translation>Osy pojedou zpět: znovu</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -5009,6 +5089,11 @@
         <translation>prázdné</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>enter one, or choose auto</source>
+        <translation>zadejte jej, nebo zvolte automatiku</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
         <translation>zadáno</translation>
@@ -5269,6 +5354,11 @@
         <translation>ne</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>no block is entered</source>
+        <translation>není zadán žádný blok</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>no offset, no tool</source>
         <translation>bez korekce</translation>
@@ -5279,7 +5369,7 @@
         <translation>bez programu</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>není zvolen žádný program</translation>
     </message>
@@ -5454,6 +5544,16 @@
         <translation>č. programu</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs run</source>
+        <translation>programy běží</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs stand</source>
+        <translation>programy stojí</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>ratio</source>
         <translation>poměr</translation>
@@ -5524,7 +5624,7 @@
         <translation>s</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>zvolte jej na stránce programů</translation>
     </message>
