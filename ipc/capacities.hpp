@@ -13,6 +13,7 @@ inline constexpr std::size_t kMaxGroups = 8;
 
 inline constexpr std::size_t kMaxPathAxes = 8;      // axes that one record moves together
 inline constexpr std::size_t kMaxCurveAxes = 5;     // axes that a blend can bend; a corner of more is a stop
+inline constexpr std::size_t kCommandText = 256;    // bytes of a program's path or a block by hand, the end included
 inline constexpr std::size_t kKinematics = 16;       // transformations that a channel's records can name
 inline constexpr std::size_t kPathRing = 4096;      // records a channel can be ahead of the machine
 inline constexpr std::size_t kPictures = 2048;      // changes of what holds in a channel that screens can look up

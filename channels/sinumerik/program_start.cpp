@@ -10,7 +10,7 @@ namespace polyturn::channels::sinumerik {
 // INIT(channel, "path", "S"): by its name in the folders that a call knows. N or S: whoever asks goes on with the selection made either way,
 // since both stand in the order of the path.
 bool Interpreter::p_init(Call& c) {
-    constexpr std::size_t kLongest = 159;   // of a path that reaches a channel (ChannelEvent::text)
+    constexpr std::size_t kLongest = kCommandText - 1;   // of a path that reaches a channel (ChannelEvent::text)
     unsigned channel = 0;
     if (!c.has(0) || !c.has(1)) return fail(Alarm::ArgumentCountIllegal, "INIT", static_cast<double>(c.arguments.size()));
     if (!channel_of(c.value(0), channel)) return false;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/operation_keys.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -130,9 +131,10 @@ std::vector<SoftKey> DialogueView::keys() {
         if (out.size() == 9) break;   // the others stand in the list
         out.push_back({key.text, [this, number = key.number] { answer(number); }, Sign::None, channel_ != 0});
     }
-    const bool room = out.size() < 9;   // the other channels go on beneath it
+    const std::size_t hold = out.size() <= kHoldAllPlace ? kHoldAllPlace : 8;   // the other channels go on beneath it: at its place of all screens, if that is free
+    const bool room = out.size() < 9;
     out.resize(9);
-    if (room) out[8] = {word("Hold all"), [this] { desk_.requests.press("feed_hold"); }, Sign::Hold, desk_.live.connected()};
+    if (room) out[hold] = holdGroupKey(desk_, 0);
     out.push_back({word("Later"), [this] { hide(); if (desk_.keysChanged) desk_.keysChanged(); }, Sign::Left, true});
     return out;
 }

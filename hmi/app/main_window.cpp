@@ -52,18 +52,10 @@ void Desk::choose(unsigned wanted) {
     if (keysChanged) keysChanged();
 }
 
-void startOne(Desk& desk, unsigned channel) {
-    if (lacksProgram(desk.live, channel)) return desk.tell(word("%1: no program is selected").arg(QString("L%1").arg(channel)), Told::Refused);
-    desk.requests.press(QString("cycle_start L%1").arg(channel));
-}
-
-void startAllOf(Desk& desk) {
-    const QStringList all = startAll(desk.live);
-    QStringList passed;
-    for (const unsigned channel : desk.live.channels())
-        if (lacksProgram(desk.live, channel)) passed << QString("L%1").arg(channel);
-    for (const QString& words : all) desk.requests.press(words);
-    if (!passed.isEmpty()) desk.tell(word("%1: no program is selected").arg(passed.join(' ')), all.isEmpty() ? Told::Refused : Told::Note);
+void startGroup(Desk& desk, unsigned group) {
+    const StartPlan plan = startPlan(desk.live, group);
+    desk.requests.press(group ? QString("cycle_start T%1").arg(group) : QString("cycle_start"));
+    if (!plan.passed.empty()) desk.tell(word("%1: no program is selected").arg(channelList(plan.passed)), plan.begin.empty() && plan.goOn.empty() ? Told::Refused : Told::Note);
 }
 
 MainWindow::MainWindow(Choices choices)
@@ -283,9 +275,17 @@ void MainWindow::composeTop(Writer& w) {
     const double h = height() ? top_->height() : 0, wide = top_->width();
     w.fill(QRectF(0, 0, wide, h), t.bar);
     const auto step = static_cast<MachineStep>(live_.status().step);
-    const QColor colour = live_.connected() ? colourOf(step) : t.bad;
-    w.sign(QRectF(px(14), px(11), px(24), px(24)), live_.connected() ? signOf(step) : Sign::Alarm, colour);
-    const QString state = live_.connected() ? word(machine_step_text(live_.status().step).text) : word("No controller answers");
+    // Ready is a machine that nothing is missing to and that does nothing: what its channels do goes before it.
+    std::vector<unsigned> run, stand;
+    for (const unsigned channel : live_.channels()) {
+        const auto does = static_cast<ChannelState>(live_.channel(channel).state);
+        if (does == ChannelState::Running || does == ChannelState::Waiting) run.push_back(channel);
+        else if (works(live_.channel(channel))) stand.push_back(channel);
+    }
+    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && stand.empty());
+    const QColor colour = !live_.connected() ? t.bad : worked && run.empty() ? t.warn : colourOf(step);
+    w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : run.empty() ? Sign::Hold : Sign::Run, colour);
+    const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : run.empty() ? word("programs stand") : word("programs run");
     w.text(QRectF(px(46), 0, px(330), h), state.left(1).toUpper() + state.mid(1), lettering(16, true), colour);
     double right = wide - px(8);
     const auto button = [&](int hit, const QString& text, Sign sign, double units) {
@@ -334,7 +334,8 @@ void MainWindow::composeTop(Writer& w) {
         w.data(QRectF(left + px(34), 0, right - left - px(42), h), note->number + "  " + note->text, lettering(14), t.accent);
         w.hit(box, kHitAlarm);
     } else {
-        w.data(QRectF(left, 0, right - left, h), live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
+        const QString does = (run.empty() ? QString() : word("%1 run").arg(channelList(run))) + (run.empty() || stand.empty() ? "" : "   ") + (stand.empty() ? QString() : word("%1 stand").arg(channelList(stand)));
+        w.data(QRectF(left, 0, right - left, h), worked ? does : live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
     }
 }
 

@@ -55,9 +55,8 @@ struct Desk {
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };
 
-// Keys that start: what has no program to begin is told, and not started.
-void startOne(Desk& desk, unsigned channel);
-void startAllOf(Desk& desk);
+// One request for all channels of a machine group (0: of the machine); who has nothing to begin is named, and left alone.
+void startGroup(Desk& desk, unsigned group);
 
 class Screen : public QWidget {
 public:

@@ -48,27 +48,55 @@ QString waitWords(const Live& live, unsigned channel) {
     return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, %3 so far").arg(code, missing.join(" "), since);
 }
 
-bool lacksProgram(const Live& live, unsigned channel) {
-    const ChannelStatus& status = live.channel(channel);
+bool lacksProgram(const Live& live, unsigned channel) { return (live.channel(channel).start_missing & kNothingToBegin) != 0; }
+
+bool works(const ChannelStatus& status) {
     const auto state = static_cast<ChannelState>(status.state);
-    const auto& programs = live.view(channel).programs;
-    return (state == ChannelState::Reset || state == ChannelState::Ended) && static_cast<ChannelMode>(status.mode) == ChannelMode::Auto && (programs.empty() || programs.front().empty());
+    return state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
 }
 
-QStringList startAll(const Live& live) {
-    QStringList out;
-    bool passed = false;
-    for (const unsigned channel : live.channels()) {
-        const bool lacks = lacksProgram(live, channel);
-        passed |= lacks;
-        if (!lacks) out << QString("cycle_start L%1").arg(channel);
+std::vector<unsigned> groupsOf(const Live& live) {
+    std::vector<unsigned> out;
+    for (const unsigned channel : live.channels()) out.push_back(live.config().channel(channel).group);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+std::vector<unsigned> channelsOf(const Live& live, unsigned group) {
+    std::vector<unsigned> out;
+    for (const unsigned channel : live.channels())
+        if (group == 0 || live.config().channel(channel).group == group) out.push_back(channel);
+    return out;
+}
+
+unsigned groupOf(const Live& live, unsigned channel) { return groupsOf(live).size() > 1 ? live.config().channel(channel).group : 0; }
+
+StartPlan startPlan(const Live& live, unsigned group) {
+    StartPlan out;
+    QStringList programs;
+    for (const unsigned channel : channelsOf(live, group)) {
+        const ChannelStatus& status = live.channel(channel);
+        const auto state = static_cast<ChannelState>(status.state);
+        if (works(status)) out.goOn.push_back(channel);
+        else if (lacksProgram(live, channel)) out.passed.push_back(channel);
+        else if (state != ChannelState::Absent && state != ChannelState::Dead) {
+            out.begin.push_back(channel);
+            programs << QString("L%1=%2").arg(channel).arg(live.view(channel).programs.empty() ? QString() : QString::fromStdString(live.view(channel).programs[0]));
+        }
     }
-    return passed ? out : QStringList{"cycle_start"};   // all in the same tick
+    out.subject = programs.join(' ');
+    return out;
+}
+
+QString channelList(const std::vector<unsigned>& channels) {
+    QStringList out;
+    for (const unsigned channel : channels) out << QString("L%1").arg(channel);
+    return out.join(' ');
 }
 
 QStringList startNeeds(const Live& live, unsigned channel) {
     QStringList out;
-    if (lacksProgram(live, channel)) out << word("no program is selected") + " (" + word("select one on the page of programs") + ")";
     const std::uint32_t missing = live.channel(channel).start_missing;
     for (std::size_t row = 0; row < kStartWords.size(); ++row) {
         if (!(missing >> row & 1u)) continue;
@@ -89,7 +117,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     const auto state = static_cast<ChannelState>(status.state);
     const bool goesOn = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::ProgramStop;   // what was broken off waits for nobody
     if (state == ChannelState::Waiting || (status.wait_missing && goesOn)) return {Plight::Kind::Waits, waitWords(live, channel)};
-    if (state != ChannelState::Running && (status.start_missing || lacksProgram(live, channel))) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+    if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
     if (const AlarmEntry* here = state == ChannelState::ProgramStop ? alarms.toldAt(channel, status.line) : nullptr) return {Plight::Kind::Stands, word("%1: start goes on").arg(here->text)};
     if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
         switch (static_cast<StopReason>(status.stop_reason)) {

@@ -21,9 +21,20 @@ struct Plight {
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
 QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 for L2, 12 s»; empty: it waits for nobody
 QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
-bool lacksProgram(const Live& live, unsigned channel);      // a start would begin a program, and none is selected
-// What starts them all: channels that have nothing to begin are passed over, and would be interrupted otherwise. Empty: no channel has.
-QStringList startAll(const Live& live);
+bool lacksProgram(const Live& live, unsigned channel);      // a start would begin something, and nothing is selected or entered: the kernel says so
+bool works(const ChannelStatus& status);                    // a program runs, or is to go on
+
+// Machine groups (N0000): of the channels that there are, in order; those of one group, 0 of all.
+std::vector<unsigned> groupsOf(const Live& live);
+std::vector<unsigned> channelsOf(const Live& live, unsigned group);
+unsigned groupOf(const Live& live, unsigned channel);       // 0: the machine has only one
+// What one start of a group (0: of all channels) would do, as the kernel does it (Machine::start_channels).
+struct StartPlan {
+    std::vector<unsigned> goOn, begin, passed;              // passed: nothing is selected, so they are left alone
+    QString subject;                                        // the programs that would begin: another one makes another question
+};
+StartPlan startPlan(const Live& live, unsigned group);
+QString channelList(const std::vector<unsigned>& channels); // «L1 L3»
 
 QString timeText(double seconds);                           // 1:02:03, 2:03
 QString hoursText(double seconds);       // always with hours: of counters, where 1:15 could be either

@@ -7,6 +7,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QTextStream>
@@ -269,6 +270,32 @@ FileOutcome rename(const QString& path, const QString& name) {
 FileOutcome makeFolder(const QString& path) {
     if (::mkdir(path8(path).constData(), 0777) != 0) return failedFile(path);
     return {FileOutcome::Kind::Done, QFileInfo(path).fileName(), 1};
+}
+
+FileOutcome makeProgram(const QString& path, const QByteArray& text) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly)) return failedFile(path, QFileInfo::exists(path) ? EEXIST : errno);
+    if (file.write(text) != text.size() || !file.flush()) {
+        const int why = errno;
+        file.remove();
+        return failedFile(path, why);
+    }
+    return {FileOutcome::Kind::Done, QFileInfo(path).fileName(), 1};
+}
+
+// No sign that cannot be seen, none that separates names (folders, what screens keep), none that other systems refuse.
+bool mayBeName(const QString& name) {
+    constexpr int kMost = 100;
+    if (name.isEmpty() || name.size() > kMost || name != name.trimmed() || name.startsWith('.') || name.endsWith('.')) return false;
+    return std::all_of(name.begin(), name.end(), [](QChar c) { return c.isPrint() && !QStringView(u"/\\|:*?\"<>=").contains(c); });
+}
+
+// Fanuc and nct name a program by its O number.
+QByteArray emptyProgram(const QString& name, const QString& language) {
+    static const QRegularExpression kNumber("^[Oo]?(\\d{1,8})(?:\\.|$)");
+    const auto number = kNumber.match(name);
+    const bool numbered = (language == "fanuc" || language == "nct") && number.hasMatch();
+    return (numbered ? "O" + number.captured(1).toUtf8() + "\n" : QByteArray()) + "\nM30\n";
 }
 
 FileOutcome protect(const QString& path, bool readOnly, int level) {

@@ -65,6 +65,10 @@ FileOutcome transfer(const QString& from, const QString& to, FileProgress& progr
 FileOutcome removeAll(const QString& path, int level, const std::atomic<bool>& stop);   // nothing is touched when something in it is protected beyond `level`
 FileOutcome rename(const QString& path, const QString& name);
 FileOutcome makeFolder(const QString& path);
+// A program that is not there yet; one that is there stays as it is.
+FileOutcome makeProgram(const QString& path, const QByteArray& text);
+bool mayBeName(const QString& name);                                    // of a file that every screen and every request can name
+QByteArray emptyProgram(const QString& name, const QString& language);   // what a new one begins with
 // Read-only for everybody through the operating system; above it a level, which holds for the screens.
 FileOutcome protect(const QString& path, bool readOnly, int level);
 int levelOf(const QString& path);

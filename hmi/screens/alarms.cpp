@@ -1,6 +1,7 @@
 #include "hmi/screens/alarms.hpp"
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/operation_keys.hpp"
 #include "hmi/text/dates.hpp"
 
 namespace polyturn::hmi {
@@ -122,15 +123,10 @@ void Alarms::refresh() {
 
 std::vector<SoftKey> Alarms::keys() {
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
-    std::vector<SoftKey> keys{page(Page::Standing, word("Active alarms")), page(Page::History, word("History")), page(Page::Stops, word("Log of stops"))};
+    std::vector<SoftKey> keys{page(Page::Standing, word("Active alarms")), page(Page::History, word("History")), resetKey(desk_), page(Page::Stops, word("Log of stops"))};
     if (page_ == Page::Stops) stops_->addKeys(keys);
-    keys.resize(9);
-    const ChannelStatus& status = desk_.live.channel(desk_.channel);
-    const auto state = static_cast<ChannelState>(status.state);
-    const bool running = state == ChannelState::Running || state == ChannelState::Waiting || state == ChannelState::Held || state == ChannelState::ProgramStop;
-    keys[8] = {word("Reset L%1").arg(desk_.channel), [this] { desk_.requests.press(QString("reset L%1").arg(desk_.channel)); }, Sign::Reset, desk_.live.connected(), false, true,
-               running ? word("Ends the program: press again") : QString()};
-    keys.push_back({word("Reset all"), [this] { desk_.requests.press("reset"); }, Sign::Reset, desk_.live.connected(), false, true, word("Ends all programs: press again")});
+    keys.resize(std::max(keys.size(), kResetAllPlace + 1));
+    keys[kResetAllPlace] = resetGroupKey(desk_, groupOf(desk_.live, desk_.channel));
     return keys;
 }
 

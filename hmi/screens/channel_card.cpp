@@ -17,7 +17,7 @@ class Card {
 public:
     Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint)
         : w_(w), t_(theme()), live_(desk.live), alarms_(desk.alarms), channel_(channel), status_(live_.channel(channel)), view_(live_.view(channel)),
-          config_(live_.config().channel(channel)), programs_(programs), size_(size), focus_(desk.channel == channel && live_.channels().size() > 1), hint_(focus_ ? hint : QString()) {
+          config_(live_.config().channel(channel)), programs_(programs), size_(size), chosen_(desk.channel), focus_(desk.channel == channel && live_.channels().size() > 1), hint_(focus_ ? hint : QString()) {
         dense_ = size.height() < px(560);
         left_ = px(dense_ ? 12 : 16);
         wide_ = size.width() - 2 * left_;
@@ -41,42 +41,122 @@ public:
     }
 
 private:
-    // More than eight channels: state, what matters most, two axes and the drives, each on one line.
+    // More than eight channels: each part of a whole card on one line, in its order; a second touch gives room for the rest.
     void small() {
+        left_ = px(11), wide_ = size_.width() - 2 * left_, y_ = px(7);
+        const double foot = px(19), codes = px(15), bottom = size_.height() - px(4) - foot;
+        smallHeader();
+        smallStrip();
+        smallBlock();
+        // Codes stand above the foot, axes between: as many as there is room for, then the blocks around the running one.
+        const double row = px(18);
+        std::size_t place = 0;
+        for (; place < config_.axis_count && y_ + row <= bottom - codes; ++place, y_ += row) smallAxis(place, row);
+        const QString path = programPath();
+        if (status_.line && bottom - codes - y_ >= px(17))
+            for (std::uint32_t number = status_.line + 1; y_ + px(16) <= bottom - codes && number <= status_.line + 2; ++number, y_ += px(16))
+                w_.data(QRectF(left_ + px(18), y_, wide_ - px(18), px(16)), programs_.line(path.toStdString(), number), lettering(11.5, false, Face::Program), t_.dim);
+        w_.data(QRectF(left_, bottom - codes, wide_, codes), activeCodes(), lettering(12, false, Face::Condensed), t_.dim);
+        smallFoot(QRectF(left_, bottom, wide_, foot));
+    }
+
+    void smallHeader() {
+        const double h = px(21);
         const StateWords state = stateWords(status_);
+        w_.sign(QRectF(left_, y_ + px(2), px(17), px(17)), state.sign, state.colour);
+        w_.text(QRectF(left_ + px(23), y_, px(34), h), QString("L%1").arg(channel_), lettering(16, true), t_.text);
+        const double from = left_ + px(57) + groupMark(QRectF(left_ + px(57), y_ + px(2), 0, h - px(4)));
+        const QFont bold = lettering(14, true, Face::Condensed);
+        const double most = left_ + wide_ - from, wide = std::min(wordsWidth(state.text, bold) + px(4), most * 0.7);
+        w_.data(QRectF(left_ + wide_ - wide, y_, wide, h), state.text, bold, state.colour, kRight);
+        w_.data(QRectF(from, y_, most - wide - px(6), h), modeWord(status_.mode), lettering(12.5, false, Face::Condensed), t_.dim);
+        y_ += h + px(1);
+    }
+
+    void smallStrip() {
+        const QRectF box(left_, y_, wide_, px(19));
         const Plight now = plight(live_, alarms_, channel_);
-        w_.sign(QRectF(left_, y_ + px(3), px(20), px(20)), state.sign, state.colour);
-        w_.text(QRectF(left_ + px(28), y_, px(52), px(26)), QString("L%1").arg(channel_), lettering(17, true), t_.text);
-        w_.data(QRectF(left_ + px(80), y_, wide_ - px(80), px(26)), state.text, lettering(15, true), state.colour, kRight);
-        y_ += px(27);
         const bool trouble = now.kind != Plight::Kind::None;
-        const QColor colour = now.kind == Plight::Kind::Alarm ? t_.bad : now.kind == Plight::Kind::Waits ? t_.wait : now.kind == Plight::Kind::Told ? t_.accent : t_.warn;
-        const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
-        const QString block = status_.block >= 0 && status_.line ? QString("  N%1").arg(status_.block) : QString();
-        w_.fill(QRectF(left_, y_, wide_, px(24)), t_.raised, px(5));
-        const double marks = switchMarks(QRectF(left_, y_, wide_, px(24)), now.kind == Plight::Kind::Alarm);
-        if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(4), px(16), px(16)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
-        w_.data(QRectF(left_ + px(trouble ? 27 : 8), y_, wide_ - px(trouble ? 32 : 12) - marks, px(24)), trouble ? now.text : path.empty() ? word("no program") : QFileInfo(QString::fromStdString(path)).fileName() + block, lettering(13.5, false, Face::Condensed), path.empty() && !trouble ? t_.faint : t_.text);
-        y_ += px(28);
-        const double row = px(21), foot = px(28);
-        for (std::size_t place = 0; place < config_.axis_count && y_ + row + foot < size_.height(); ++place) {
-            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
-            const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
-            const LengthUnit unit = live_.unit(axis);
-            const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
-            double workpiece = 0;
-            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
-            w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(15, true), at.flags & kMoving ? t_.good : t_.text);
-            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? unit.text(shownPlace(axis, workpiece)) : referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
-            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(), lettering(13.5), t_.dim, kRight);
-            y_ += row;
+        const auto [sign, colour] = plightSign(now.kind);
+        w_.fill(box, t_.raised, px(5));
+        const double marks = switchMarks(box, now.kind == Plight::Kind::Alarm);
+        if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(2), px(15), px(15)), sign, colour);
+        const QString file = QFileInfo(programPath()).fileName();
+        w_.data(QRectF(left_ + px(trouble ? 25 : 8), y_, wide_ - px(trouble ? 29 : 12) - marks, box.height()), trouble ? now.text : file.isEmpty() ? word("no program") : file,
+                lettering(13, false, Face::Condensed), file.isEmpty() && !trouble ? t_.faint : t_.text);
+        y_ += box.height() + px(2);
+    }
+
+    // The running block; beside trouble, which has the place of the program's name, that too. Nothing runs: where the program begins.
+    void smallBlock() {
+        const QRectF box(left_, y_, wide_, px(18));
+        const QString path = programPath(), file = QFileInfo(path).fileName();
+        const bool runs = status_.line != 0;
+        if (runs) w_.fill(box, t_.mark, px(4)), w_.sign(QRectF(left_ + px(3), y_ + px(3), px(12), px(12)), Sign::Run, t_.accent);
+        const bool named = plight(live_, alarms_, channel_).kind != Plight::Kind::None && !file.isEmpty();
+        const QFont small = lettering(11.5, false, Face::Condensed);
+        const double name = named ? std::min(wordsWidth(file, small) + px(8), wide_ * 0.34) : 0;
+        if (named) w_.data(QRectF(box.right() - name, y_, name - px(4), box.height()), file, small, t_.dim, kRight);
+        w_.data(QRectF(left_ + px(18), y_, wide_ - px(20) - name, box.height()), programs_.line(path.toStdString(), runs ? status_.line : 1u), lettering(11.5, runs, Face::Program), runs ? t_.text : t_.faint);
+        y_ += box.height() + px(2);
+    }
+
+    void smallAxis(std::size_t place, double row) {
+        const AxisConfig& axis = live_.config().axis(config_.axes[place]);
+        const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
+        const LengthUnit unit = live_.unit(axis);
+        const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
+        double workpiece = 0;
+        const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
+        w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(14.5, true), at.flags & kMoving ? t_.good : t_.text);
+        w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? unit.text(shownPlace(axis, workpiece)) : referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref."), lettering(14.5, true), referenced ? t_.text : t_.warn, kRight);
+        if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(), lettering(13), t_.dim, kRight);
+    }
+
+    // Tool and offset; feed and spindle, each with its override where that is another one than 100 %.
+    void smallFoot(const QRectF& box) {
+        const BlockPicture& p = view_.picture;
+        w_.line({box.left(), box.top()}, {box.right(), box.top()}, t_.edge, 1);
+        QString tool = kDash;
+        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0)) + (p.edge > 0 ? QString("  D%1").arg(p.edge) : p.geometry > 0 ? QString("  %1 %2").arg(word("Offset")).arg(p.geometry) : QString());
+        const auto with = [](const QString& text, double override) { return std::abs(override - 1.0) > 1e-6 ? QString("%1  %2 %").arg(text).arg(std::lround(override * 100)) : text; };
+        const double third = box.width() / 3;
+        const QFont font = lettering(13, false, Face::Condensed);
+        w_.data(QRectF(box.left(), box.top(), third + px(16), box.height()), tool, lettering(13, true, Face::Condensed), view_.known ? t_.text : t_.faint);
+        w_.text(QRectF(box.left() + third + px(16), box.top(), third - px(12), box.height()), with("F " + live_.unit(channel_).speed(status_.path_speed * 60), status_.feed_override), font, status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
+        const unsigned spindle = view_.known && p.spindle ? p.spindle : config_.default_spindle;
+        if (spindle < 1 || spindle > kMaxSpindles) return;
+        const SpindleStatus& turns = live_.status().spindles[spindle - 1];
+        w_.text(QRectF(box.left() + 2 * third + px(4), box.top(), third - px(4), box.height()), with(QString("S %1").arg(std::abs(turns.speed), 0, 'f', 0), turns.override), font, std::abs(turns.override - 1.0) > 1e-6 ? t_.warn : t_.dim, kRight);
+    }
+
+    QString programPath() const { return view_.file < view_.programs.size() ? QString::fromStdString(view_.programs[view_.file]) : QString(); }
+
+    std::pair<Sign, QColor> plightSign(Plight::Kind kind) const {
+        switch (kind) {
+            case Plight::Kind::Alarm: return {Sign::Alarm, t_.bad};
+            case Plight::Kind::Waits: return {Sign::Wait, t_.wait};
+            case Plight::Kind::Needs: return {Sign::Warning, t_.warn};
+            case Plight::Kind::Stands: return {Sign::Hold, t_.warn};
+            case Plight::Kind::Told: return {Sign::Note, t_.accent};
+            case Plight::Kind::None: break;
         }
-        const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
-        const double bottom = size_.height() - px(28), third = wide_ / 3;
-        w_.line({left_, bottom}, {left_ + wide_, bottom}, t_.edge, 1);
-        w_.text(QRectF(left_, bottom, third, px(24)), view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), view_.known ? t_.text : t_.faint);
-        w_.text(QRectF(left_ + third, bottom, third, px(24)), "F " + live_.unit(channel_).speed(status_.path_speed * 60), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
-        w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
+        return {Sign::None, t_.dim};
+    }
+
+    // Which machine group the channel belongs to, where there are several: those of the chosen one's group have a filled mark. Begins at the
+    // box' left edge; how much of the width it takes.
+    double groupMark(const QRectF& box) {
+        const unsigned group = groupOf(live_, channel_);
+        if (!group) return 0;
+        const bool same = group == groupOf(live_, chosen_);
+        const QString text = word("Group %1").arg(group);
+        const QFont font = lettering(12.5, same, Face::Condensed);
+        const QRectF mark(box.left(), box.top(), wordsWidth(text, font) + px(12), box.height());
+        if (same) w_.fill(mark, t_.mark, px(5));
+        w_.frame(mark, same ? t_.accent : t_.edge, px(5), 1);
+        w_.text(mark, text, font, same ? t_.text : t_.dim, Qt::AlignCenter);
+        return mark.width() + px(6);
     }
 
     // Beside what matters most: the switches of the channel, as status lines name them; beside an alarm in a small card only
@@ -105,9 +185,13 @@ private:
         const StateWords state = stateWords(status_);
         w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
         const double mode = std::min<double>(wide_ * 0.3, px(110));
-        w_.data(QRectF(left_ + px(30), y_, title, h), wide_ < px(320) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_), lettering(dense_ ? 17 : 21, true), t_.text);
+        const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_);
+        const QFont bold = lettering(dense_ ? 17 : 21, true);
+        const double titleWide = std::min(title, wordsWidth(name, bold));
+        w_.data(QRectF(left_ + px(30), y_, title, h), name, bold, t_.text);
         w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), lettering(14.5), t_.dim, kRight);
         w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, lettering(dense_ ? 15 : 18, true), state.colour, kRight);
+        groupMark(QRectF(left_ + px(30) + titleWide + px(8), y_ + px(4), 0, h - px(8)));
         below(h);
     }
 
@@ -115,16 +199,7 @@ private:
         const double h = px(dense_ ? 36 : 42);
         const QRectF box(left_, y_, wide_, h);
         const Plight now = plight(live_, alarms_, channel_);
-        Sign sign = Sign::None;
-        QColor colour = t_.dim;
-        switch (now.kind) {
-            case Plight::Kind::Alarm: sign = Sign::Alarm, colour = t_.bad; break;
-            case Plight::Kind::Waits: sign = Sign::Wait, colour = t_.wait; break;
-            case Plight::Kind::Needs: sign = Sign::Warning, colour = t_.warn; break;
-            case Plight::Kind::Stands: sign = Sign::Hold, colour = t_.warn; break;
-            case Plight::Kind::Told: sign = Sign::Note, colour = t_.accent; break;
-            case Plight::Kind::None: break;
-        }
+        const auto [sign, colour] = plightSign(now.kind);
         w_.fill(box, t_.raised, px(6));
         if (now.kind != Plight::Kind::None) {
             w_.fill(QRectF(box.left(), box.top(), px(4), h), colour, px(2));
@@ -355,6 +430,7 @@ private:
     const ChannelConfig& config_;
     ProgramText& programs_;
     QSizeF size_;
+    unsigned chosen_;
     bool focus_, dense_ = false;
     QString hint_;
     double left_ = 0, wide_ = 0, y_ = 0;

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QRegularExpression>
 #include <algorithm>
+#include <utility>
 
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
@@ -121,6 +122,7 @@ void FilesPage::take() {
                              : outcome_.ok() ? doing_ + ": " + outcome_.what : word("Not done: %1").arg(outcome_.told());
         desk_.tell(what, outcome_.ok() ? Told::Good : Told::Refused);
         readFolder(desk_.folder, outcome_.ok() && !placesShown_ ? outcome_.what : chosen() ? chosen()->name : QString());
+        if (const QString path = std::exchange(created_, QString()); !path.isEmpty() && outcome_.ok() && onCreated) onCreated(path);
         if (desk_.keysChanged) desk_.keysChanged();
     }
 }
@@ -185,7 +187,7 @@ void FilesPage::resizeEvent(QResizeEvent*) { layOut(); }
 void FilesPage::layOut() {
     const int edge = px(8), half = static_cast<int>(width() * 0.5), foot = px(52), letters = px(300);
     files_->setGeometry(edge, 0, half - 2 * edge, height() - edge);
-    const bool naming = naming_ != Naming::None, state = menu_;
+    const bool naming = naming_ != Naming::None, state = menu_ || naming;
     pad_->setVisible(naming), state_->setVisible(state);
     const int below = (state ? foot + edge : 0) + (naming ? letters + edge : 0);
     view_->setGeometry(half, 0, width() - half - edge, height() - edge - below);
@@ -196,7 +198,7 @@ void FilesPage::layOut() {
 
 std::vector<Sheet*> FilesPage::sheets() {
     std::vector<Sheet*> out{files_, view_};
-    if (menu_) out.push_back(state_);
+    if (menu_ || naming_ != Naming::None) out.push_back(state_);
     if (naming_ != Naming::None) out.push_back(pad_);
     return out;
 }
@@ -405,7 +407,7 @@ void FilesPage::composeState(Writer& w) {
     w.fill(QRectF(0, 0, wide, high), t.window);
     w.fill(QRectF(0, 0, wide, high), t.card, px(8));
     if (naming_ != Naming::None) {
-        w.text(QRectF(px(14), 0, wide * 0.3, high), naming_ == Naming::Rename ? word("New name") : word("New folder"), lettering(14), t.dim);
+        w.text(QRectF(px(14), 0, wide * 0.3, high), naming_ == Naming::Rename ? word("New name") : naming_ == Naming::Program ? word("New program") : word("New folder"), lettering(14), t.dim);
         const QRectF box(wide * 0.3, px(6), wide * 0.7 - px(8), high - px(12));
         w.field(box, name_, QString(), true, 1);
         return;
@@ -471,10 +473,30 @@ void FilesPage::name(Naming what) {
 void FilesPage::named() {
     const Naming what = naming_;
     const QString name = name_.trimmed();
+    if (what == Naming::Program) return create(name);
     this->name(Naming::None);
     if (name.isEmpty()) return;
     if (what == Naming::Folder) return start(word("New folder"), [path = desk_.folder + "/" + name](const std::atomic<bool>&) { return makeFolder(path); });
     start(word("Renamed"), [path = chosenPath(), name](const std::atomic<bool>&) { return rename(path, name); });
+}
+
+void FilesPage::newProgram(const QString& language) {
+    language_ = language;
+    name(naming_ == Naming::Program ? Naming::None : Naming::Program);
+}
+
+// A name that is refused stays, to be mended. Without an ending it gets the one that its language has.
+void FilesPage::create(const QString& typed) {
+    if (typed.isEmpty()) return name(Naming::None);
+    const bool sinumerik = language_ == "sinumerik";
+    const QString file = typed.contains('.') ? typed : typed + (sinumerik ? ".MPF" : ".nc");
+    if (!mayBeName(file)) return desk_.tell(word("%1 cannot be the name of a program").arg(typed), Told::Refused);
+    if (keptByParameter(desk_.live.table(), desk_.live.channels(), file) && level_ < kNobody) return desk_.tell(word("%1 is protected by F3202").arg(file), Told::Refused);
+    for (const FileEntry& one : entries_)
+        if (one.name.compare(file, Qt::CaseInsensitive) == 0) return desk_.tell(word("%1 is there already").arg(one.name), Told::Refused);
+    name(Naming::None);
+    created_ = desk_.folder + "/" + file;
+    start(word("New program"), [path = created_, text = emptyProgram(file, language_)](const std::atomic<bool>&) { return makeProgram(path, text); });
 }
 
 void FilesPage::showMenu(bool on) {

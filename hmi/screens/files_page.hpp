@@ -42,12 +42,14 @@ public:
     const FileOutcome& outcome() const { return outcome_; }
     bool naming() const { return naming_ != Naming::None; }
     std::function<void(const QString& left, const QString& right)> onCompare;
+    void newProgram(const QString& language);   // its name is asked for; pressed again it is not
+    std::function<void(const QString& path)> onCreated;
 
 protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    enum class Naming : std::uint8_t { None, Rename, Folder };
+    enum class Naming : std::uint8_t { None, Rename, Folder, Program };
     struct Preview {
         QString path, fault;
         std::shared_ptr<JobSheet> sheet;      // of a job that can be read
@@ -76,6 +78,7 @@ private:
     void protectNext();
     void name(Naming what);
     void named();
+    void create(const QString& typed);
 
     Desk& desk_;
     Table* files_;
@@ -85,6 +88,7 @@ private:
     std::vector<Place> places_;
     bool placesShown_ = false, menu_ = false, readable_ = true;
     QString choose_, taken_, doing_, name_;
+    QString language_, created_;              // of a new program; its path while it is being made
     Naming naming_ = Naming::None;
     Preview preview_;
     std::size_t sheetPage_ = 0, sheetPages_ = 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
@@ -288,6 +289,7 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
     const bool step = there && chosen && chosen->code >= 0 && idle(chosen->channel);
     const QString what = chosen ? QString("L%1 M%2").arg(chosen->channel).arg(chosen->code) : QString();
     return {{word("Jog keys"), std::move(back), Sign::Left},
+            holdKey(desk_),
             {word("Handwheel"), press(QString("mode %1=handwheel").arg(name)), Sign::Manual, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Handwheel},
             {word("Factor"), [this] { factor_ = factor_ >= 100 ? 1 : factor_ * 10, refresh(); }, Sign::None, there},
             {word("Handwheel offset"), press(QString("superpose %1=%2").arg(name, superposes ? "off" : "on")), Sign::None, there, superposes},
@@ -295,7 +297,6 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
             {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty() && idle(desk_.channel), false, false, word("The turret turns: press again"), {}, name, name},
             {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again"), {}, what, what},
             {turns == "M5" ? word("Spindle stop") : word("Spindle %1").arg(turns.mid(4)), press(QString("mdi %1 %2").arg(name, turns)), Sign::Spindle, !turns.isEmpty() && idle(desk_.channel), false, false, turns == "M5" ? QString() : word("The spindle turns: press again"), {}, name, name},
-            {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
             {word("Emergency stop"), press("emergency_stop"), Sign::Off, there, false, true}};
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "ipc/machine/start_words.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -83,6 +85,8 @@ void Manual::press(int number) {
         const int axis = number / 10, what = number % 10;
         if (what == 3) {
             desk_.requests.press(QString("reference A%1").arg(axis));
+        } else if (const QString why = what == 1 || what == 2 ? whyNotMoved() : QString(); !why.isEmpty()) {
+            desk_.tell(why, Told::Refused);
         } else if (what == 1 || what == 2) {
             const QString words = QString("A%1%2").arg(axis).arg(what == 1 ? '+' : '-');
             if (step_) {
@@ -98,6 +102,16 @@ void Manual::press(int number) {
     }
     refresh();
     if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// As the kernel refuses it (Machine::may_be_moved), before a finger is on the key; empty: axes of the channel are moved.
+QString Manual::whyNotMoved() const {
+    const ChannelStatus& status = desk_.live.channel(desk_.channel);
+    if (desk_.live.status().machine_state != 2) return word("Axes are moved by hand while the machine is on");
+    // With N1337 REL the program goes on from where the axes are then: nothing tells that they were left to be moved.
+    const bool left = static_cast<ChannelState>(status.state) == ChannelState::Held && ((status.start_missing & start_bit("back_on_path")) || params::bit(desk_.live.table(), params::n1337_execution_config, desk_.channel, 5));
+    if (works(status) && !left) return word("A program runs: axes are moved by hand in a hold, after «Leave the hold»");
+    return {};
 }
 
 void Manual::mode(const char* wanted) { desk_.requests.press(QString("mode L%1=%2").arg(desk_.channel).arg(wanted)); }
@@ -171,6 +185,7 @@ void Manual::composeAxes(Writer& w) {
     const StateWords state = stateWords(status);
     w.text(QRectF(x + px(8), 0, wide - x - px(18), px(42)), modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true), state.colour, kRight);
     // axes, each with its keys
+    const bool refused = !whyNotMoved().isEmpty();
     const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
     const double top = px(52), foot = px(64), row = std::min<double>(px(112), (high - top - foot) / static_cast<double>(count));
     for (std::size_t place = 0; place < config.axis_count; ++place) {
@@ -188,9 +203,9 @@ void Manual::composeAxes(Writer& w) {
         for (const bool positive : {false, true}) {
             const QRectF key(positive ? box.right() - keyWide - px(10) : box.left() + px(78), keyTop, keyWide, keyHigh);
             const bool down = heldWords_ == QString("A%1%2").arg(number).arg(positive ? '+' : '-');
-            w.fill(key, down ? t.accent : t.raised, px(8));
+            w.fill(key, down ? t.accent : refused ? t.card : t.raised, px(8));
             w.frame(key, down ? t.accent : t.edge, px(8), 1);
-            w.text(key, fromView(axis.name_text()) + (positive ? QString("+") : QString::fromUtf8("−")), lettering(24, true), down ? t.onAccent : t.text, Qt::AlignCenter);
+            w.text(key, fromView(axis.name_text()) + (positive ? QString("+") : QString::fromUtf8("−")), lettering(24, true), down ? t.onAccent : refused ? t.faint : t.text, Qt::AlignCenter);
             w.hit(key, jogHit(number, positive));
         }
         const double left = box.left() + px(78) + keyWide + px(10), room = box.width() - px(78) - 2 * keyWide - px(30);
@@ -310,23 +325,28 @@ std::vector<SoftKey> Manual::keys() {
     const QString name = QString("L%1").arg(desk_.channel);
     const auto press_words = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
     const bool held = static_cast<ChannelState>(status.state) == ChannelState::Held;
-    const bool away = status.start_missing >> 7 & 1u;   // back_on_path
+    const bool away = (status.start_missing & start_bit("back_on_path")) != 0;
     const bool on = live.status().machine_state == 2;
     const bool rests = static_cast<ChannelState>(status.state) == ChannelState::Reset || static_cast<ChannelState>(status.state) == ChannelState::Ended;
+    // The way out of a hold and the way back have one key: only one of them can be gone. What it asks keeps a second press of the first from
+    // being the other.
+    SoftKey start = startKey(desk_);
+    if (mode_now == ChannelMode::Mdi && rests)
+        start.act = [this] {
+            if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
+            startMdi();
+        };
     std::vector<SoftKey> keys{
+        std::move(start),
+        holdKey(desk_),
+        resetKey(desk_),
         {word("Automatic"), [this] { mode("auto"); }, Sign::None, there, mode_now == ChannelMode::Auto},
         {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
         {word("MDI"), [this] { mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
         {word("Wheel, tool, transfer"), [this] { showHand(true); }, Sign::Right, there},
+        away ? SoftKey{word("Return %1").arg(name), press_words("return " + name), Sign::Left, there, false, false, word("The axes go back: press again"), {}, name}
+             : SoftKey{word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held},
         {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on, false, false, word("All axes move: press again")},
-        {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
-        {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
-        {word("Start %1").arg(name), [this, name, mode_now, rests] {
-             if (mode_now != ChannelMode::Mdi || !rests) return startOne(desk_, desk_.channel);
-             if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
-             startMdi();
-         }, Sign::Run, there},
-        {word("Hold %1").arg(name), press_words("feed_hold " + name), Sign::Hold, there},
         {stops() ? word("Emergency stop") : word("Machine on"),
          [this] {
              if (stops()) return stopsSince(), desk_.requests.press("emergency_stop");

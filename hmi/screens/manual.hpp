@@ -53,6 +53,7 @@ private:
     bool stops() const;           // what the last soft key does
     void stopsSince();
     void mode(const char* wanted);
+    QString whyNotMoved() const;
     unsigned chosenAxis() const;  // 0: none
 
     FreeSheet *axes_, *side_;

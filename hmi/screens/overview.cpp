@@ -6,6 +6,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/channel_card.hpp"
+#include "hmi/screens/operation_keys.hpp"
 
 namespace polyturn::hmi {
 
@@ -68,9 +69,13 @@ void Overview::enlarge(bool on) {
     layOut();
 }
 
+// The two pages of keys of program control; one card enlarged; the keys of all channels.
+int Overview::pages() const { return 3 + (canEnlarge() ? 1 : 0) + (groupOf(desk_.live, desk_.channel) ? 1 : 0); }
+
 void Overview::turnTo(int page) {
-    page_ = page == 1 ? Keys::Control : page == 2 ? Keys::MoreControl : Keys::Channels;
-    enlarge(page == 3);
+    const bool all = page >= 3 && page == pages() - 1 && groupOf(desk_.live, desk_.channel) != 0;
+    page_ = page == 1 ? Keys::Control : page == 2 ? Keys::MoreControl : all ? Keys::All : Keys::Channels;
+    enlarge(page == 3 && !all);
     if (desk_.keysChanged) desk_.keysChanged();
 }
 
@@ -107,52 +112,33 @@ HelpTopic Overview::help() const {
     return {page, codes.section(' ', 0, 0), {}, true};
 }
 
+// The first four have their places on every page: who is in need of Hold looks at no page. Where the machine has several groups, the next
+// four are those of the chosen channel's; all channels together have a page.
 std::vector<SoftKey> Overview::keys() {
     const Live& live = desk_.live;
     const bool there = live.connected() && !live.channels().empty();
-    const unsigned channel = desk_.channel;
-    const ChannelStatus& status = live.channel(channel);
-    const auto state = static_cast<ChannelState>(status.state);
-    const bool inProgram = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
-    const QString name = QString("L%1").arg(channel);
-    const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
-    QStringList beginning;
-    bool anyInProgram = false, anyBegins = false, allSingle = there, anyProgram = false, anyGoesOn = false;
+    const unsigned group = groupOf(live, desk_.channel);
+    std::vector<SoftKey> keys{startKey(desk_), holdKey(desk_), resetKey(desk_), singleBlockKey(desk_)};
+    if (page_ == Keys::Control || page_ == Keys::MoreControl) return addControlKeys(keys, there), keys;
+    const unsigned whom = page_ == Keys::All ? 0 : group;
+    for (const auto key : {startGroupKey, holdGroupKey, resetGroupKey, singleBlockGroupKey}) keys.push_back(key(desk_, whom));
+    if (page_ != Keys::All) keys.push_back({word("Program control"), [this] { showKeys(Keys::Control); }, Sign::Right, there});
+    if (!group || page_ == Keys::All) keys.push_back(endWithPartKey());
+    if (page_ == Keys::All) keys.push_back({word("Back"), [this] { showKeys(Keys::Channels); }, Sign::Left});
+    else if (group) keys.push_back({word("All channels"), [this] { showKeys(Keys::All); }, Sign::Right, there});
+    return keys;
+}
+
+SoftKey Overview::endWithPartKey() {
+    const Live& live = desk_.live;
+    bool anyProgram = false, anyGoesOn = false;
     for (const unsigned one : live.channels()) {
-        const auto other = static_cast<ChannelState>(live.channel(one).state);
-        const bool works = other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
-        anyInProgram |= works;
-        const bool begins = !works && !lacksProgram(live, one) && other != ChannelState::Absent && other != ChannelState::Dead;
-        anyBegins |= begins;
-        if (begins) beginning << QString("L%1=%2").arg(one).arg(live.view(one).programs.empty() ? QString() : QString::fromStdString(live.view(one).programs[0]));
-        allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
         if (live.view(one).programs.empty()) continue;
         anyProgram = true;
         anyGoesOn |= (live.channel(one).keys & kKeyStopAfterPart) == 0;
     }
     const bool ends = anyProgram && !anyGoesOn;   // life of a tool and warming up ask for it too, in one channel alone
-    const bool single = (status.keys & kKeySingleBlock) != 0;
-    std::vector<SoftKey> keys{   // these have their places on both pages: who is in need of Hold looks at no page
-        {word("Start %1").arg(name), [this, channel] { startOne(desk_, channel); }, Sign::Run, there},
-        {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
-        {word("Reset %1").arg(name), press("reset " + name), Sign::Reset, there, false, true, inProgram ? word("Ends the program: press again") : QString()},
-        {word("Single block %1").arg(name), press(QString("single_block %1=%2").arg(name, single ? "off" : "on")), Sign::Stop, there, single},
-    };
-    if (page_ != Keys::Channels) return addControlKeys(keys, there), keys;
-    const std::vector<SoftKey> all{
-        {word("Start all"), [this] { startAllOf(desk_); }, Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},   // one that goes on needs no question, one that begins does
-        {word("Hold all"), press("feed_hold"), Sign::Hold, there},
-        {word("Reset all"), press("reset"), Sign::Reset, there, false, true, anyInProgram ? word("Ends all programs: press again") : QString()},
-        {word("Single block all"), [this, allSingle] {
-             QStringList each;
-             for (const unsigned one : desk_.live.channels()) each << QString("L%1=%2").arg(one).arg(allSingle ? "off" : "on");
-             desk_.requests.press("single_block " + each.join(' '));
-         }, Sign::Stop, there, allSingle},
-        {word("Program control"), [this] { showKeys(Keys::Control); }, Sign::Right, there},
-        {word("End with this part"), press(QString("stop_after_part") + (ends ? " off" : "")), Sign::Ended, there, ends, false, ends ? word("Parts go on: press again") : QString()},
-    };
-    keys.insert(keys.end(), all.begin(), all.end());
-    return keys;
+    return {word("End with this part"), [this, ends] { desk_.requests.press(QString("stop_after_part") + (ends ? " off" : "")); }, Sign::Ended, live.connected() && !live.channels().empty(), ends, false, ends ? word("Parts go on: press again") : QString()};
 }
 
 // Left by whatever way, the screen comes back with its first page.

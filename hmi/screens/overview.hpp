@@ -19,7 +19,7 @@ public:
     std::vector<Sheet*> sheets() override;
     QString state() const override { return enlarged_ ? "1" : "0"; }
     void restore(const QString& state) override { enlarge(state == "1"); }
-    int pages() const override { return canEnlarge() ? 4 : 3; }   // the two pages of keys of program control; one card enlarged
+    int pages() const override;
     void turnTo(int page) override;
     // Of many channels the chosen one has room for all its lines, the others are beside it.
     void enlarge(bool on);
@@ -32,13 +32,14 @@ protected:
 private:
     void layOut();
     bool canEnlarge() const { return cards_.size() > kMostFull; }
+    SoftKey endWithPartKey();
     void addControlKeys(std::vector<SoftKey>& keys, bool there);
     bool takesMachineLock() const;
     static constexpr std::size_t kMostFull = 3;   // channels whose cards leave nothing out
     bool enlarged_ = false;
     unsigned laidFor_ = 0;                 // the channel that is enlarged
     bool takesRetrace() const;
-    enum class Keys : std::uint8_t { Channels, Control, MoreControl };
+    enum class Keys : std::uint8_t { Channels, Control, MoreControl, All };
     void showKeys(Keys keys) { page_ = keys, desk_.keysChanged ? desk_.keysChanged() : void(); }
     Keys page_ = Keys::Channels;           // of the soft keys: of program control there are more than one page has room for
     std::vector<FreeSheet*> cards_;

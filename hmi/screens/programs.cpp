@@ -14,6 +14,7 @@
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
+#include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/machine_path.hpp"
@@ -33,6 +34,10 @@ Programs::Programs(Desk& desk)
         const QString title = page_ == Page::Files ? word("Programs and jobs") : page_ == Page::Together ? word("Synchronised view") : page_ == Page::Time ? word("Timeline") : page_ == Page::Restart ? word("Restart in the middle") : page_ == Page::Compare ? word("Comparison") : word("Editor");
         w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), title, lettering(20, true), t.text);
         w.data(QRectF(head_->width() * 0.42, 0, head_->width() * 0.58 - px(12), head_->height()), page_ == Page::Files ? files_->where() : page_ == Page::Restart || page_ == Page::Compare ? QString() : page_ == Page::Edit ? editor_->file() + (editor_->changed() ? " *" : "") : QFileInfo(dry_.job()).fileName(), lettering(15), t.dim, kRight);
+    };
+    files_->onCreated = [this](const QString& path) {
+        if (editor_->changed()) return;      // what is typed there stays: the new one is chosen in the list
+        if (editor_->open(path, languageOf(path))) show(Page::Edit);
     };
     editor_->onNotOpened = [this] {
         if (page_ == Page::Edit) show(Page::Files);
@@ -306,26 +311,19 @@ std::vector<SoftKey> Programs::keys() {
     }
     const bool can = page_ == Page::Files ? file : page_ == Page::Edit ? !editor_->file().isEmpty() : !wanted_.file.isEmpty();
     const QString saves = page_ == Page::Edit && editor_->changed() ? word("Saves the text first: press again") : QString();
-    bool runs = false, begins = false;
-    QStringList beginning;
-    for (const unsigned channel : desk_.live.channels()) {
-        const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
-        const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
-        runs |= works;
-        if (works || state == ChannelState::Absent || state == ChannelState::Dead || lacksProgram(desk_.live, channel)) continue;
-        begins = true;   // with this press: that is asked for
-        const auto& programs = desk_.live.view(channel).programs;
-        beginning << QString("L%1=%2").arg(channel).arg(programs.empty() ? QString() : QString::fromStdString(programs[0]));
-    }
+    const auto& all = desk_.live.channels();
+    const bool runs = std::any_of(all.begin(), all.end(), [&](unsigned one) { return works(desk_.live.channel(one)); });
+    SoftKey start = startGroupKey(desk_, groupOf(desk_.live, desk_.channel));
+    start.act = [this, act = start.act] { act(), desk_.show(0); };
     std::vector<SoftKey> keys{
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
         {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
         {word("Simulation, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
         {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
-        {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
-        {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
+        std::move(start),
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { startAllOf(desk_), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString(), {}, beginning.join(' ')},
+        {word("New program"), [this] { files_->newProgram(fromView(language_name(desk_.live.panelLanguage(desk_.channel)))); }, Sign::None, page_ == Page::Files && !files_->atPlaces() && !files_->working(), files_->naming()},
+        {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
@@ -334,6 +332,7 @@ std::vector<SoftKey> Programs::keys() {
         if (desk_.keysChanged) desk_.keysChanged();
     }, Sign::Stop});
     else if (page_ == Page::Files && files_->sheet()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
+    else if (page_ == Page::Files && files_->isFolder()) keys.push_back({word("Open folder"), [this] { files_->open(); }, Sign::Right});
     else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job, false, false,
                                                    editor_->changed() && editor_->file() != files_->chosenPath() ? word("Unsaved text goes: press again") : QString(), {}, files_->chosenPath()});
     if (page_ == Page::Files) keys.push_back({word("Copy, delete ..."), [this] { files_->showMenu(true); }, Sign::Right});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hmi/text/tongues.hpp"
+#include "ipc/machine/start_words.hpp"
 
 namespace polyturn::hmi {
 
@@ -11,6 +12,13 @@ namespace {
 text::BuilderMessages& builderMessages() {
     static text::BuilderMessages known;
     return known;
+}
+
+// The kernel lists what a start still needs in English; its words are those of the cards.
+QString startWordsIn(QString text) {
+    for (const StartWords& row : kStartWords)
+        for (const std::string_view words : {row.text, row.remedy}) text.replace(fromView(words), word(words));
+    return text;
 }
 
 }  // namespace
@@ -28,7 +36,10 @@ RetoldWords retold(const QString& number, const QString& text) {
     if (plain == alarm_number(Alarm::BuilderMessage, Dialect::Polyturn) || plain == alarm_number(Alarm::BuilderNote, Dialect::Polyturn)) told = builderMessages().told_in(std::move(told), static_cast<text::MessageLanguage>(spoken()));
     for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
         for (const std::string& written : {plain, padded})
-            if (const auto found = retell(written, dialect, told, spoken())) return {QString::fromStdString(found->text), fromView(found->remedy), true};
+            if (const auto found = retell(written, dialect, told, spoken())) {
+                const QString in = QString::fromStdString(found->text);
+                return {plain == alarm_number(Alarm::NotReady, Dialect::Polyturn) ? startWordsIn(in) : in, fromView(found->remedy), true};
+            }
     return {text, {}, false};
 }
 

@@ -34,6 +34,11 @@
         <translation>%1 podle %2: přímost</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 cannot be the name of a program</source>
+        <translation>%1 nemůže být jménem programu</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
         <translation>%1 má novou destičku: životnost začíná znovu, opotřebení její korekce zůstává</translation>
@@ -124,14 +129,29 @@
         <translation>%1 je vyjmut</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is there already</source>
+        <translation>%1 už existuje</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 z %2</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 run</source>
+        <translation>běží: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s po startu řízení</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 stand</source>
+        <translation>stojí: %1</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -259,6 +279,11 @@
         <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. «Kontrola, čekání» prohlédne celý program.</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
+        <translation>Běží program: ručně se osy posouvají při zastavení, po «Odjet»</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Start vyžaduje:</translation>
@@ -347,6 +372,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Pojedou všechny osy: stiskněte znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>All channels</source>
+        <translation>Všechny kanály</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -459,6 +489,11 @@
         <translation>Osy a pohony</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Axes are moved by hand while the machine is on</source>
+        <translation>Osy se posouvají ručně při zapnutém stroji</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Axes of L%1</source>
         <translation>Osy L%1</translation>
@@ -532,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Před</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Begins anew, stood in line %1: press again</source>
+        <translation>Začne znovu (stál na řádku %1): znovu</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1244,14 +1284,19 @@
         <translation>Ukončen</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Ukončí vše: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Ukončí program: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Ends the programs of the group: press again</source>
+        <translation>Ukončí celou skupinu: znovu</translation>
     </message>
     <message>
         <location filename="../widgets/text_pad.cpp"/>
@@ -1659,6 +1704,11 @@
         <translation>Zapichování v Z</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Group %1</source>
+        <translation>Skupina %1</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Příručka</translation>
@@ -1699,14 +1749,19 @@
         <translation>Historie</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold %1</source>
         <translation>Stop posuvu %1</translation>
     </message>
     <message>
-        <location filename="../app/dialogue_view.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold all</source>
         <translation>Stop posuvu: vše</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Hold group %1</source>
+        <translation>Stop posuvu: skupina %1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2372,6 +2427,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>New name</source>
         <translation>Nový název</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New program</source>
+        <translation>Nový program</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -3284,19 +3344,19 @@
         <translation>Reset</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset %1</source>
         <translation>Reset %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Reset L%1</source>
-        <translation>Reset L%1</translation>
-    </message>
-    <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset all</source>
         <translation>Reset všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Reset group %1</source>
+        <translation>Reset skupiny %1</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3574,14 +3634,19 @@
         <translation>Po bloku</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block %1</source>
         <translation>Po bloku %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
         <translation>Po bloku: vše</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Single block group %1</source>
+        <translation>Po bloku: skupina %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3694,12 +3759,12 @@
         <translation>Začátek</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start all</source>
         <translation>Start všech</translation>
     </message>
@@ -3712,6 +3777,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Start goes backwards</source>
         <translation>Start jede zpět</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Start group %1</source>
+        <translation>Start skupiny %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3739,9 +3809,14 @@
         <translation>Startuje</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Spustí vše: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Starts the whole group: press again</source>
+        <translation>Spustí celou skupinu: znovu</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3939,6 +4014,11 @@
         <translation>Osy jsou volné: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The axes go back: press again</source>
+        <translation>Osy pojedou zpět: znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>The axes move again: press again</source>
         <translation>Osy se zase pohnou: znovu</translation>
@@ -4042,6 +4122,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
         <translation>Zjišťují se palety ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The printer refused it: %1</source>
+        <translation>Tiskárna to odmítla: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -5069,6 +5154,11 @@
         <translation>prázdné</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>enter one, or choose auto</source>
+        <translation>zadejte jej, nebo zvolte automatiku</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
         <translation>zadáno</translation>
@@ -5339,6 +5429,11 @@
         <translation>ne</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>no block is entered</source>
+        <translation>není zadán žádný blok</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>no offset, no tool</source>
         <translation>bez korekce</translation>
@@ -5349,7 +5444,7 @@
         <translation>bez programu</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>není zvolen žádný program</translation>
     </message>
@@ -5524,6 +5619,16 @@
         <translation>č. programu</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs run</source>
+        <translation>programy běží</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs stand</source>
+        <translation>programy stojí</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>ratio</source>
         <translation>poměr</translation>
@@ -5594,7 +5699,7 @@
         <translation>s</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>zvolte jej na stránce programů</translation>
     </message>

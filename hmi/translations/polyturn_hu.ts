@@ -34,6 +34,11 @@
         <translation>%1 a(z) %2 szerint: egyenesség</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 cannot be the name of a program</source>
+        <translation>%1 nem lehet program neve</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
         <translation>%1: új lapka, az éltartam újrakezdődik, a korrekciójának kopása marad</translation>
@@ -124,14 +129,29 @@
         <translation>%1 ki van véve</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is there already</source>
+        <translation>%1 már van</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 run</source>
+        <translation>fut: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s a vezérlő indulása után</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 stand</source>
+        <translation>áll: %1</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -259,6 +279,11 @@
         <translation>Egy hosszú program része: %1–%2. sor, a program %3 %-a. Az «Ellenőrzés, várakozások» az egészet átnézi.</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
+        <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, az «Elhagyás» után</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Az indításhoz kell:</translation>
@@ -347,6 +372,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Minden tengely mozog: nyomja meg újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>All channels</source>
+        <translation>Minden csatorna</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -459,6 +489,11 @@
         <translation>Tengelyek és hajtások</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Axes are moved by hand while the machine is on</source>
+        <translation>A tengelyek kézzel bekapcsolt gépen mozgathatók</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Axes of L%1</source>
         <translation>L%1 tengelyei</translation>
@@ -532,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Előtte</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Begins anew, stood in line %1: press again</source>
+        <translation>Elölről (a(z) %1. sorban állt): újra</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1244,14 +1284,19 @@
         <translation>Kész</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Mindet befejezi: újra</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Befejezi a programot: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Ends the programs of the group: press again</source>
+        <translation>Az egész csoportot befejezi: újra</translation>
     </message>
     <message>
         <location filename="../widgets/text_pad.cpp"/>
@@ -1659,6 +1704,11 @@
         <translation>Beszúrás Z mentén</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Group %1</source>
+        <translation>%1. csoport</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Kézikönyv</translation>
@@ -1699,14 +1749,19 @@
         <translation>Előzmények</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold %1</source>
         <translation>Állj %1</translation>
     </message>
     <message>
-        <location filename="../app/dialogue_view.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold all</source>
         <translation>Állj mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Hold group %1</source>
+        <translation>Állj: %1. csoport</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2372,6 +2427,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>New name</source>
         <translation>Új név</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New program</source>
+        <translation>Új program</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -3284,19 +3344,19 @@
         <translation>Reset</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset %1</source>
         <translation>Reset %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Reset L%1</source>
-        <translation>Reset L%1</translation>
-    </message>
-    <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset all</source>
         <translation>Reset mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Reset group %1</source>
+        <translation>Reset: %1. csoport</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3574,14 +3634,19 @@
         <translation>Mondatonként</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block %1</source>
         <translation>Mondatonként %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
         <translation>Mondatonként mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Single block group %1</source>
+        <translation>Mondatonként: %1. csoport</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3694,12 +3759,12 @@
         <translation>Kezdet</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start all</source>
         <translation>Start mind</translation>
     </message>
@@ -3712,6 +3777,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Start goes backwards</source>
         <translation>A start visszafelé visz</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Start group %1</source>
+        <translation>Start: %1. csoport</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3739,9 +3809,14 @@
         <translation>Indul</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Mindet indítja: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Starts the whole group: press again</source>
+        <translation>Az egész csoportot indítja: újra</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3939,6 +4014,11 @@
         <translation>A tengelyek szabadok: újra</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The axes go back: press again</source>
+        <translation>A tengelyek visszamennek: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>The axes move again: press again</source>
         <translation>A tengelyek járnak: újra</translation>
@@ -4042,6 +4122,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
         <translation>A paletták lekérdezése ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The printer refused it: %1</source>
+        <translation>A nyomtató visszautasította: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -5069,6 +5154,11 @@
         <translation>üres</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>enter one, or choose auto</source>
+        <translation>írjon be egyet, vagy válasszon automatát</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
         <translation>beírva</translation>
@@ -5339,6 +5429,11 @@
         <translation>nem</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>no block is entered</source>
+        <translation>nincs beírva mondat</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>no offset, no tool</source>
         <translation>nincs korrekció</translation>
@@ -5349,7 +5444,7 @@
         <translation>nincs program</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>nincs kiválasztott program</translation>
     </message>
@@ -5524,6 +5619,16 @@
         <translation>programszám</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs run</source>
+        <translation>programok futnak</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs stand</source>
+        <translation>programok állnak</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>ratio</source>
         <translation>arány</translation>
@@ -5594,7 +5699,7 @@
         <translation>s</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>válasszon egyet a programok oldalán</translation>
     </message>

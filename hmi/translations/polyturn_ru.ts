@@ -34,6 +34,11 @@
         <translation>%1 по %2: прямолинейность</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 cannot be the name of a program</source>
+        <translation>%1 не годится в имя программы</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
         <translation>%1: новая пластина, ресурс начинается заново, износ её корректора остаётся</translation>
@@ -124,14 +129,29 @@
         <translation>%1 извлечён</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is there already</source>
+        <translation>%1 уже есть</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 из %2</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 run</source>
+        <translation>работают: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>через %1 с после запуска УЧПУ</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 stand</source>
+        <translation>стоят: %1</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -259,6 +279,11 @@
         <translation>Часть длинной программы: строки %1–%2, %3 % её. «Проверка, ожидания» проверяет всю программу.</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
+        <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Отвод»</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Для пуска нужно:</translation>
@@ -347,6 +372,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Все оси поедут: нажмите ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>All channels</source>
+        <translation>Все каналы</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -459,6 +489,11 @@
         <translation>Оси и приводы</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Axes are moved by hand while the machine is on</source>
+        <translation>Оси движутся вручную при включённом станке</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Axes of L%1</source>
         <translation>Оси L%1</translation>
@@ -532,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Было</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Begins anew, stood in line %1: press again</source>
+        <translation>Сначала (был на строке %1): ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1244,14 +1284,19 @@
         <translation>Завершён</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Прервёт все: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Прервёт программу: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Ends the programs of the group: press again</source>
+        <translation>Прервёт всю группу: ещё раз</translation>
     </message>
     <message>
         <location filename="../widgets/text_pad.cpp"/>
@@ -1659,6 +1704,11 @@
         <translation>Канавки вдоль Z</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Group %1</source>
+        <translation>Группа %1</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Руководство</translation>
@@ -1699,14 +1749,19 @@
         <translation>Журнал</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold %1</source>
         <translation>Стоп подачи %1</translation>
     </message>
     <message>
-        <location filename="../app/dialogue_view.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Hold all</source>
         <translation>Стоп подачи всех</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Hold group %1</source>
+        <translation>Стоп подачи группы %1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2372,6 +2427,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>New name</source>
         <translation>Новое имя</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New program</source>
+        <translation>Новая программа</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -3284,19 +3344,19 @@
         <translation>Сброс</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset %1</source>
         <translation>Сброс %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Reset L%1</source>
-        <translation>Сброс L%1</translation>
-    </message>
-    <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Reset all</source>
         <translation>Сброс всех</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Reset group %1</source>
+        <translation>Сброс группы %1</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3574,14 +3634,19 @@
         <translation>Покадрово</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block %1</source>
         <translation>Покадрово %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
         <translation>Покадрово все</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Single block group %1</source>
+        <translation>Покадрово группа %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3694,12 +3759,12 @@
         <translation>Начало</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start %1</source>
         <translation>Пуск %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Start all</source>
         <translation>Пуск всех</translation>
     </message>
@@ -3712,6 +3777,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Start goes backwards</source>
         <translation>Пуск ведёт назад</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Start group %1</source>
+        <translation>Пуск группы %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3739,9 +3809,14 @@
         <translation>Запускается</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/operation_keys.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Пуск всех каналов: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/operation_keys.cpp"/>
+        <source>Starts the whole group: press again</source>
+        <translation>Пуск всей группы: ещё раз</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3939,6 +4014,11 @@
         <translation>Оси свободны: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The axes go back: press again</source>
+        <translation>Оси поедут назад: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>The axes move again: press again</source>
         <translation>Оси снова пойдут: ещё раз</translation>
@@ -4042,6 +4122,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
         <translation>Запрашиваются паллеты ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The printer refused it: %1</source>
+        <translation>Принтер отказал: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -5069,6 +5154,11 @@
         <translation>пусто</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>enter one, or choose auto</source>
+        <translation>введите его или выберите автомат</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
         <translation>введено</translation>
@@ -5339,6 +5429,11 @@
         <translation>нет</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>no block is entered</source>
+        <translation>кадр не введён</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>no offset, no tool</source>
         <translation>нет корректора</translation>
@@ -5349,7 +5444,7 @@
         <translation>нет программы</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>программа не выбрана</translation>
     </message>
@@ -5524,6 +5619,16 @@
         <translation>№ программы</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs run</source>
+        <translation>программы выполняются</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>programs stand</source>
+        <translation>программы стоят</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>ratio</source>
         <translation>отношение</translation>
@@ -5594,7 +5699,7 @@
         <translation>с</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>выберите её на странице программ</translation>
     </message>

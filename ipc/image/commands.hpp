@@ -1,7 +1,8 @@
 // What the fields of a Command mean, kind by kind. Written by the supervisor (press, set, scenario), carried out by the
 // kernel at the start of Command::tick. channel, axis, spindle count from 1; channel 0 means all that exist.
 //
-//   CycleStart, FeedHold, Reset   channel
+//   CycleStart                    channel; 0: those that have something to begin, object: of this machine group, 0 of all
+//   FeedHold, Reset               channel
 //   EmergencyStop, MachineOn, ReleaseStop   -
 //   Mode                          channel, value: ChannelMode
 //   Select                        channel, text: program file, value: Dialect that its job names, 0 none

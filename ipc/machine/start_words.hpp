@@ -2,6 +2,7 @@
 // by row the same order), ChannelStatus::start_missing shows which rows fail.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace polyturn {
@@ -12,7 +13,7 @@ struct StartWords {
     std::string_view remedy;
 };
 
-inline constexpr std::array<StartWords, 18> kStartWords{{
+inline constexpr std::array<StartWords, 20> kStartWords{{
     {"process", "the channel's process is not there", "wait until it is started again, then reset"},
     {"emergency_stop", "the emergency stop is active", "release it and switch the machine on"},
     {"machine_on", "the machine is not switched on", "switch it on"},
@@ -31,6 +32,17 @@ inline constexpr std::array<StartWords, 18> kStartWords{{
     {"chuck", "the chuck does not hold", "close it, look at its pressure"},
     {"attached", "detached", "attach it (AP_DETCHR)"},
     {"referenced", "not referenced", "reference it"},
+    {"program", "no program is selected", "select one on the page of programs"},
+    {"block", "no block is entered", "enter one, or choose auto"},
 }};
+
+// The bit of a row in ChannelStatus::start_missing.
+constexpr std::uint32_t start_bit(std::string_view name) noexcept {
+    for (std::size_t row = 0; row < kStartWords.size(); ++row)
+        if (kStartWords[row].name == name) return 1u << row;
+    return 0;
+}
+// With one of these a channel has nothing that could begin: a start of several passes it over.
+inline constexpr std::uint32_t kNothingToBegin = start_bit("program") | start_bit("block");
 
 }  // namespace polyturn

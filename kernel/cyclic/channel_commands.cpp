@@ -34,7 +34,15 @@ StartView ChannelRunner::start_view() const noexcept {
     view.alarmed = state_ == ChannelState::Interrupted;
     view.by_hand_mode = mode_ == ChannelMode::Jog || mode_ == ChannelMode::Handwheel || mode_ == ChannelMode::Reference;
     view.away = jog_in_hold_ && !goes_on_away();
+    const bool begins = state_ == ChannelState::Reset || state_ == ChannelState::Ended;
+    view.lacks_program = begins && mode_ == ChannelMode::Auto && !selected_;
+    view.lacks_block = begins && mode_ == ChannelMode::Mdi && mdi_[0] == 0;   // the selected program is not what an operator in this mode means
     return view;
+}
+
+bool ChannelRunner::has_nothing_to_begin() const noexcept {
+    const StartView view = start_view();
+    return view.lacks_program || view.lacks_block;
 }
 
 std::uint32_t ChannelRunner::look_what_start_needs() noexcept { return start_missing_ = rows_missing_for_start(core_, start_view()); }
@@ -53,10 +61,6 @@ void ChannelRunner::cycle_start() noexcept {
     switch (state_) {
         case ChannelState::Reset:
         case ChannelState::Ended:
-            if (mode_ == ChannelMode::Mdi && mdi_[0] == 0) {   // the selected program is not what an operator in this mode means
-                core_.alarm(Alarm::NotReady, number_, "no block is entered");
-                return;
-            }
             begin_program(ChannelEventKind::CycleStart, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1), cursor_,
                           mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
             return;
@@ -116,6 +120,7 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     lap_ended_ = false;
     blocks_ = 0;
     trail_.clear();
+    if (text.empty()) broken_off_ = 0;   // a block entered by hand begins no program
     core_.totals.part_begins(index_);
     core_.event(KernelEventKind::CycleStarted, number_);
     tell(how, record, value, text);
@@ -126,7 +131,10 @@ void ChannelRunner::restart(double block, ChannelSet together) noexcept {
         core_.alarm(Alarm::NotReady, number_, "a program is restarted at a block only in reset or after the end");
         return;
     }
-    if (const ShortText missing = missing_for_start(core_, {number_, segment_ && !dead_ && !stopped_, !resetting_, jog_in_hold_}); !missing.view().empty()) {
+    StartView view = start_view();   // of the selected program, whatever the mode is now
+    view.by_hand_mode = view.lacks_block = false;
+    view.lacks_program = !selected_;
+    if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return;
     }
@@ -207,6 +215,7 @@ void ChannelRunner::finish_reset() noexcept {
         if (axis.owner == number_) axis.owner = 0;
     core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(why), 0, line_);
     if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(why), cycle_s_, line_);
+    if (ran && why == StopReason::Reset && mode_ == ChannelMode::Auto) broken_off_ = line_;
     line_ = 0;
     tell(ChannelEventKind::Reset, cursor_, static_cast<double>(not_begun));
 }
@@ -219,6 +228,8 @@ void ChannelRunner::select(std::string_view file, double language) noexcept {
     }
     cycles_ = 0;
     cycles_s_ = last_cycle_s_ = 0;
+    selected_ = !file.empty();
+    broken_off_ = 0;
     job_language_ = static_cast<Dialect>(language);
     tell(ChannelEventKind::SelectProgram, cursor_, language, file);
 }

@@ -43,6 +43,8 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     phase_ = Phase::None;
     begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = false;
     control_ = 0;   // a predecessor's program put off what the operator's switches do
+    selected_ = false;   // it knows none of what its predecessor was told
+    broken_off_ = 0;
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::None;
     segment_ = &segment;
@@ -487,6 +489,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
     status.wheel = wheel_ ? 1 : 0;
     status.start_missing = start_missing_;
+    status.broken_off = broken_off_;
     status.cycles = cycles_;
     status.last_cycle_s = last_cycle_s_;
     status.mean_cycle_s = cycles_ ? cycles_s_ / cycles_ : 0.0;

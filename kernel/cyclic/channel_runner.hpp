@@ -62,6 +62,8 @@ public:
     void dialogue_key(double key) noexcept;
     std::uint32_t look_what_start_needs() noexcept;   // ChannelStatus::start_missing, now
     StartView start_view() const noexcept;   // what the start conditions must know of it
+    // A start would begin something, and nothing is selected or entered: of several that start together it is passed over.
+    bool has_nothing_to_begin() const noexcept;
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
     void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
     // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1.
@@ -372,7 +374,9 @@ private:
     bool came_back_ = false;               // from a wait at which it stood: it arrives there once more
     std::uint64_t meeting_ = 0;            // that released the wait which ends now
     std::uint64_t tool_shown_ = kNoRecord; // first-part mode has stood before it
-    std::array<char, 160> mdi_{};
+    std::array<char, kCommandText> mdi_{};
+    bool selected_ = false;                // a program, in the process that is there now
+    std::uint32_t broken_off_ = 0;         // line at which it was; 0: it has ended, or has not begun
     Dialect job_language_ = Dialect::Polyturn;   // of the selected program; Polyturn: PT_LANGUAGE
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0, watched_ = 0;

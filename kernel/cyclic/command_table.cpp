@@ -15,6 +15,20 @@ void Machine::each_channel(const Command& command, Act act) noexcept {
         if (channels_[l]->attached() && (command.channel == 0 || command.channel == l + 1)) act(*channels_[l]);
 }
 
+// One channel that is named is started, or says why it is not. Of several (all, or a machine group) all begin in this tick that have something
+// to begin; the others are passed over: nobody has meant them. Where nothing would begin at all, that is said.
+void Machine::start_channels(const Command& command) noexcept {
+    if (command.channel != 0) return each_channel(command, [](ChannelRunner& r) { r.cycle_start(); });
+    bool any = false;
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        ChannelRunner& runner = *channels_[l];
+        if (!runner.attached() || (command.object != 0 && core_.config.channels[l].group != command.object) || runner.has_nothing_to_begin()) continue;
+        any = true;
+        runner.cycle_start();
+    }
+    if (!any) core_.alarm(Alarm::NotReady, 0, "no program is selected");
+}
+
 void Machine::take_commands() noexcept {
     commands_.drain(core_.tick);
     while (const Command* command = commands_.next_due(core_.tick)) {
@@ -37,7 +51,7 @@ void Machine::run_command(const Command& c) noexcept {
         each_channel(c, [&](ChannelRunner& r) { r.pressed_keys = on ? r.pressed_keys | bits : r.pressed_keys & ~bits; });
     };
     switch (static_cast<CommandKind>(c.kind)) {
-        case CommandKind::CycleStart: each_channel(c, [](ChannelRunner& r) { r.cycle_start(); }); break;
+        case CommandKind::CycleStart: start_channels(c); break;
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });

@@ -104,7 +104,7 @@ struct Core {
     std::array<bool, kMaxAxes> home_wish{}, home_busy{}, home_failed{};
     // What programs have told other channels (INIT, START): carried out when all channels have had their turn in the tick.
     struct ProgramCall {
-        std::array<char, 160> file{};
+        std::array<char, kCommandText> file{};
         bool selected = false, started = false;
     };
     std::array<ProgramCall, kMaxChannels> program_calls{};

@@ -75,6 +75,7 @@ private:
     void take_successors() noexcept;
     void take_answers() noexcept;
     void take_commands() noexcept;
+    void start_channels(const Command& command) noexcept;
     void run_command(const Command& command) noexcept;
     void run_channels() noexcept;
     void jog_command(const Command& command) noexcept;

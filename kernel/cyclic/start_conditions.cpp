@@ -59,6 +59,10 @@ constexpr std::array<StartCondition, kStartWords.size()> kConditions{{
      [](const Core& c, const StartView& v, std::uint32_t after) -> std::uint32_t {
          return next_axis(c, v, after, [&](const AxisUnit& axis, const AxisConfig&, std::uint32_t a) { return !axis.referenced && c.must_be_referenced(a); });
      }},
+    {"program", Scope::Channel,
+     [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.lacks_program; }},
+    {"block", Scope::Channel,
+     [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.lacks_block; }},
 }};
 
 constexpr bool same_order() {

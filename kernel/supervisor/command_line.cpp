@@ -78,11 +78,11 @@ void take_words(const CLI::App& app, CommandLine& line) {
 }
 
 constexpr const char* kPressWords =
-    "  cycle_start [L]   feed_hold [L]   reset [L]   emergency_stop   release_emergency_stop   machine_on\n"
+    "  cycle_start [L|T]   feed_hold [L|T]   reset [L|T]   emergency_stop   release_emergency_stop   machine_on\n"
     "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB   mdi L1 G0 X50.\n"
     "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
     "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
-    "  single_block L1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
+    "  single_block L1=on|T1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
     "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n  answer L1 #500=12.5 key=1\n";
 
 }  // namespace

@@ -26,9 +26,9 @@ using Commands = std::vector<Command>;
 
 enum class Form {
     Alone,           // stop_after_part
-    MaybeChannel,    // cycle_start, cycle_start L1, cycle_start 1
+    MaybeChannel,    // cycle_start, cycle_start L1, cycle_start 1, cycle_start T2 (machine group)
     Channel,         // return L1
-    ChannelOnOff,    // single_block L1=on
+    ChannelOnOff,    // single_block L1=on, single_block T2=on
     ChannelPercent,  // feed_override L1=50
     ChannelSeconds,  // warm_up L1=600
     SpindlePercent,  // spindle_override S1=80
@@ -53,9 +53,9 @@ struct PressWord {
 };
 
 constexpr PressWord kWords[] = {
-    {"cycle_start", CommandKind::CycleStart, Form::MaybeChannel, "cycle_start [L1]"},
-    {"feed_hold", CommandKind::FeedHold, Form::MaybeChannel, "feed_hold [L1]"},
-    {"reset", CommandKind::Reset, Form::MaybeChannel, "reset [L1]"},
+    {"cycle_start", CommandKind::CycleStart, Form::MaybeChannel, "cycle_start [L1|T1]"},
+    {"feed_hold", CommandKind::FeedHold, Form::MaybeChannel, "feed_hold [L1|T1]"},
+    {"reset", CommandKind::Reset, Form::MaybeChannel, "reset [L1|T1]"},
     {"emergency_stop", CommandKind::EmergencyStop, Form::Alone, "emergency_stop"},
     {"release_emergency_stop", CommandKind::ReleaseStop, Form::Alone, "release_emergency_stop"},
     {"machine_on", CommandKind::MachineOn, Form::Alone, "machine_on"},
@@ -178,6 +178,18 @@ private:
         if (!exists) missing_ = fmt::format("the machine has no {}{}", letter, number);
         return exists ? number : 0;
     }
+    // "T2": the channels of a machine group; none: it is no such word, or the machine has no such group (then a diagnosis is kept).
+    std::uint32_t group(std::string_view word, std::vector<std::uint32_t>& channels) {
+        if (word.size() < 2 || (word[0] != 'T' && word[0] != 't')) return 0;
+        std::uint32_t number = 0;
+        const auto end = std::from_chars(word.data() + 1, word.data() + word.size(), number);
+        if (end.ec != std::errc() || end.ptr != word.data() + word.size()) return 0;
+        for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
+            if (machine_.channel(l).exists() && machine_.channel(l).group == number) channels.push_back(l);
+        if (!channels.empty()) return number;
+        missing_ = fmt::format("the machine has no group {}", word);
+        return 0;
+    }
     Diagnosis why() const { return missing_.empty() ? shape() : fault(Alarm::PressArgument, missing_); }
 
     Result<Commands> maybe_channel() {
@@ -185,6 +197,13 @@ private:
         Commands out;
         for (const auto part : parts_) {
             Command command = command_of(word_.kind);
+            std::vector<std::uint32_t> channels;
+            if (const std::uint32_t number = group(part, channels)) {
+                // A start is one command: the kernel knows which of them have something to begin, and begins them in one tick.
+                if (word_.kind == CommandKind::CycleStart) command.object = number, channels = {0};
+                for (const std::uint32_t channel : channels) command.channel = channel, out.push_back(command);
+                continue;
+            }
             command.channel = instance(part, 'L');
             if (!command.channel) return why();
             out.push_back(command);
@@ -194,7 +213,10 @@ private:
 
     Result<Commands> channel_only() {
         if (parts_.size() != 1) return shape();
-        return maybe_channel();
+        Command command = command_of(word_.kind);
+        command.channel = instance(parts_[0], 'L');
+        if (!command.channel) return why();
+        return Commands{command};
     }
 
     // "L1=on L2=off"; `take` fills in the value and says whether it was one.
@@ -207,6 +229,11 @@ private:
             if (equals == std::string_view::npos) return shape();
             Command command = command_of(word_.kind);
             const std::string_view whom = part.substr(0, equals);
+            if (std::vector<std::uint32_t> channels; letter == 'L' && word_.form == Form::ChannelOnOff && group(whom, channels)) {
+                if (!take(command, part.substr(equals + 1))) return shape();
+                for (const std::uint32_t channel : channels) command.channel = channel, out.push_back(command);
+                continue;
+            }
             std::uint32_t number = 0;
             if (whom != "all") {
                 number = instance(whom, letter);
@@ -312,7 +339,7 @@ private:
                 command.channel = channel;
                 if (channel > kMaxChannels || !machine_.channel(channel).exists())
                     return fault(Alarm::PressArgument, fmt::format("the machine has no L{}", channel));
-                if (!put_text(command, program.file)) return too_long(program.file);
+                if (!put_text(command, program.file)) return path_too_long(program.file);
                 const Dialect language = program.language.empty() ? Dialect::Polyturn : dialect_of(program.language);
                 if (!program.language.empty() && language == Dialect::Polyturn) return Diagnosis{Alarm::LanguageUnknown, {job->file, 0, 0, 0}, {}, program.language};
                 command.value = static_cast<double>(language);
@@ -326,7 +353,7 @@ private:
         command.channel = instance(trimmed(rest_.substr(0, equals)), 'L');
         if (!command.channel) return why();
         const std::string file = (std::filesystem::path(folder_) / std::string(trimmed(rest_.substr(equals + 1)))).string();
-        if (!put_text(command, file)) return too_long(file);
+        if (!put_text(command, file)) return path_too_long(file);
         return Commands{command};
     }
 
@@ -342,6 +369,11 @@ private:
 
     static Diagnosis too_long(std::string_view what) {
         return fault(Alarm::PressArgument, fmt::format("longer than {} characters: {}", sizeof(Command{}.text) - 1, what));
+    }
+
+    // By its end: the whole of it would leave no room for what to do.
+    static Diagnosis path_too_long(const std::string& file) {
+        return fault(Alarm::PathTooLong, fmt::format("{} ({}, {})", std::filesystem::path(file).filename().string(), file.size(), sizeof(Command{}.text) - 1));
     }
 
     // "A3+" or "A3-".

@@ -9,6 +9,7 @@
 #include "hmi/machine/text_difference.hpp"
 #include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/controller.hpp"
+#include "tests/unit/hmi/screen_checks.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -234,6 +235,40 @@ TEST_F(FilesByHand, CopyIntoAnotherFolderAndReplaceOnlyAfterASecondPress) {
     EXPECT_EQ(read(folder.filePath("server/a.nc")), "another\n") << "one press replaces nothing";
     hand->soft("Copy to here");
     EXPECT_TRUE(waitFor([&] { return read(folder.filePath("server/a.nc")) == "O1\nN10 G0\nM30\n"; }));
+}
+
+// Name, folder that is shown, language of the channel; then the editor.
+TEST_F(FilesByHand, ANewProgramOpensInTheEditorAndReplacesNothing) {
+    hand->soft("New program");
+    ASSERT_TRUE(page().naming());
+    hand->type("a.nc"), hand->key(Qt::Key_Return);   // it is there
+    frames(*window, 100);
+    EXPECT_TRUE(page().naming()) << "the name stays, to be mended";
+    EXPECT_TRUE(standsOn(window->ownSheets(), "a.nc is there already"));
+    EXPECT_EQ(read(folder.filePath("a.nc")), "O1\nN10 G0\nM30\n");
+    for (int i = 0; i < 4; ++i) hand->key(Qt::Key_Backspace);
+    hand->type("../x"), hand->key(Qt::Key_Return);
+    frames(*window, 100);
+    EXPECT_TRUE(page().naming());
+    for (int i = 0; i < 4; ++i) hand->key(Qt::Key_Backspace);
+    hand->type("O1234"), hand->key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath("O1234.nc")); }));
+    EditorPage& editor = dynamic_cast<Programs&>(*window->screen()).editor();
+    ASSERT_TRUE(waitFor([&] { return editor.file().endsWith("O1234.nc") && !editor.opening() && editor.isVisible(); }));
+    EXPECT_EQ(read(folder.filePath("O1234.nc")), "O1234\n\nM30\n");
+    EXPECT_EQ(editor.language(), "fanuc");
+}
+
+TEST(NewProgram, RefusesNamesThatNobodyCouldSeeOrType) {
+    for (const char* good : {"O1234.nc", "shaft 2.nc", "ВАЛ.MPF", "flange-left_2.nc"}) EXPECT_TRUE(mayBeName(good)) << good;
+    for (const QString& bad : {QString(), QString(" a.nc"), QString(".nc"), QString("a/b.nc"), QString("a\tb.nc"), QString("a|b.nc"), QString("a\u200b.nc"), QString("a="), QString("a."), QString(101, 'a')}) EXPECT_FALSE(mayBeName(bad)) << bad.toStdString();
+    EXPECT_EQ(emptyProgram("O12.nc", "fanuc"), "O12\n\nM30\n");
+    EXPECT_EQ(emptyProgram("12.nc", "nct"), "O12\n\nM30\n");
+    EXPECT_EQ(emptyProgram("shaft.MPF", "sinumerik"), "\nM30\n");
+    QTemporaryDir folder;
+    write(folder.filePath("a.nc"), "old\n");
+    EXPECT_FALSE(makeProgram(folder.filePath("a.nc"), "new\n").ok());
+    EXPECT_EQ(read(folder.filePath("a.nc")), "old\n");
 }
 
 TEST_F(FilesByHand, CompareProtectRenameDelete) {

@@ -1,41 +1,12 @@
 // Machines with more channels than a panel has room for at first sight: every screen still fits, in every language, and each channel is reached.
-#include <QFile>
-#include <QRegularExpression>
-
+#include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/graphics.hpp"
 #include "tests/unit/hmi/controller.hpp"
+#include "tests/unit/hmi/many_machine.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
 
 namespace polyturn::hmi {
 namespace {
-
-// The demonstration machine with further channels, each with X and Z like those of its second one.
-QByteArray machineWith(int channels) {
-    QFile file(QString(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret/machine.params");
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    const QString text = QString::fromUtf8(file.readAll());
-    QString out = text;
-    const QRegularExpression row("^(\\w+) (A3|A4|L2)=([^;\\s]+)", QRegularExpression::MultilineOption);
-    int axis = 7;
-    for (int channel = 3; channel <= channels; ++channel, axis += 2) {
-        out += QString("\nN0000 L%1=1\n").arg(channel);
-        for (auto found = row.globalMatch(text); found.hasNext();) {
-            const auto one = found.next();
-            const QString name = one.captured(1), scope = one.captured(2);
-            QString value = one.captured(3);
-            if (scope == "L2") {
-                if (name == "N0000" || name == "N0687" || name == "PT_TURRET_MAGAZINE") continue;
-                out += QString("%1 L%2=%3\n").arg(name).arg(channel).arg(value);
-                continue;
-            }
-            const int number = axis + (scope == "A4");
-            if (name == "N0002") value = QString::number(channel);
-            if (name == "N0501" || name == "N0503") value = QString::number(number);
-            out += QString("%1 A%2=%3\n").arg(name).arg(number).arg(value);
-        }
-    }
-    return out.toUtf8();
-}
 
 class ManyChannels : public ::testing::TestWithParam<int> {};
 
@@ -129,6 +100,106 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
     for (const Item& item : window.screen()->sheets()[0]->items()) signs += item.kind == Item::Kind::Sign && item.box.bottom() <= 42;
     EXPECT_GE(signs, 8);
 }
+// A small card says what a whole one does, each on a line of its own: mode, program, running block, codes, tool and offset, what it waits for.
+TEST(ManyChannelsCard, OfSixteenTellsModeBlockCodesToolAndWait) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("many.params"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(machineWith(16));
+    file.close();
+    Controller controller(file.fileName());
+    Choices choices;
+    choices.instance = controller.name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow window(choices);
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == 16; }));
+    ASSERT_TRUE(controller.press("machine_on"));
+    QFile program(folder.filePath("O7.nc"));
+    ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+    program.write("O7\nN10 G0 T0303\nN20 M503 P47 (meets the fourth)\nN30 M30\n");
+    program.close();
+    ASSERT_TRUE(controller.press("select L7=" + program.fileName()));
+    ASSERT_TRUE(controller.press("reference all"));
+    ASSERT_TRUE(waitFor([&] { return window.desk().live.channel(7).start_missing == 0; }));
+    ASSERT_TRUE(controller.press("cycle_start L7"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelState>(window.desk().live.channel(7).state) == ChannelState::Waiting; }));
+    window.showScreen(0);
+    frames(window, 200);
+    const auto says = [&](unsigned channel, const QString& text) {
+        for (const Item& item : window.screen()->sheets()[channel - 1]->items())
+            if (item.text.contains(text)) return true;
+        return false;
+    };
+    for (const char* words : {"L7", "Automatic", "Waits", "M503", "L4", "meets the fourth", "O7.nc", "G0", "T3", "Offset 3", "F 0"}) EXPECT_TRUE(says(7, words)) << words;
+    EXPECT_TRUE(says(9, "no program"));
+    noWordIsShortened(window);
+}
+
+// N0000: which channels form a machine is seen in their cards, and each group has keys of its own where all channels have theirs otherwise.
+TEST(MachineGroups, HaveKeysOfTheirOwnForTheGroupOfTheChosenChannel) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("groups.params"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(machineWith(4, 3));   // L3 and L4 are a machine of their own
+    file.close();
+    Controller controller(file.fileName());
+    Choices choices;
+    choices.instance = controller.name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow window(choices);
+    window.resize(1280, 800);
+    window.show();
+    const Live& live = window.desk().live;
+    ASSERT_TRUE(waitFor([&] { return live.connected() && live.channels().size() == 4; }));
+    ASSERT_TRUE(controller.press("machine_on"));
+    ASSERT_TRUE(controller.press("reference all"));
+    QFile program(folder.filePath("O1.nc"));
+    ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+    program.write("O1\nN10 G4 X30.\nM30\n");
+    program.close();
+    for (const char* channel : {"L1", "L2", "L3"}) ASSERT_TRUE(controller.press(QString("select %1=%2").arg(channel, program.fileName())));
+    ASSERT_TRUE(waitFor([&] { return live.channel(1).start_missing == 0 && live.channel(3).start_missing == 0; }));
+    const auto state = [&](unsigned channel) { return static_cast<ChannelState>(live.channel(channel).state); };
+    const auto says = [&](unsigned channel, const QString& text) {
+        for (const Item& item : window.screen()->sheets()[channel - 1]->items())
+            if (item.text == text) return true;
+        return false;
+    };
+    Operator hand(window);
+    hand.screen("overview");
+    frames(window, 100);
+    for (unsigned channel = 1; channel <= 4; ++channel) EXPECT_TRUE(says(channel, channel < 3 ? "Group 1" : "Group 2")) << channel;
+    hand.key(Qt::Key_3, Qt::ControlModifier);
+    hand.soft("Start group 2");
+    frames(window, 300);
+    EXPECT_EQ(state(3), ChannelState::Reset) << "one press starts no program";
+    hand.soft("Start group 2");
+    ASSERT_TRUE(waitFor([&] { return state(3) == ChannelState::Running; }));
+    frames(window, 200);
+    EXPECT_EQ(state(1), ChannelState::Reset);
+    EXPECT_EQ(state(4), ChannelState::Reset);
+    EXPECT_TRUE(standsOn(window.ownSheets(), "L4: no program is selected"));
+    hand.soft("Hold group 2");
+    ASSERT_TRUE(waitFor([&] { return state(3) == ChannelState::Held; }));
+    hand.soft("Single block group 2");
+    ASSERT_TRUE(waitFor([&] { return (live.channel(3).keys & kKeySingleBlock) && (live.channel(4).keys & kKeySingleBlock); }));
+    EXPECT_FALSE(live.channel(1).keys & kKeySingleBlock);
+    hand.soft("Reset group 2");
+    frames(window, 300);
+    EXPECT_EQ(state(3), ChannelState::Held) << "one press ends no program";
+    hand.soft("Reset group 2");
+    ASSERT_TRUE(waitFor([&] { return state(3) == ChannelState::Reset; }));
+    hand.soft("All channels");                // on a page of their own
+    hand.soft("Start all"), hand.soft("Start all");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running && state(2) == ChannelState::Running && state(3) == ChannelState::Running; }));
+    hand.soft("Hold all");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && state(2) == ChannelState::Held; }));
+    window.showScreen(0);
+    noWordIsShortened(window);
+}
+
 INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 8, 16));
 
 }  // namespace

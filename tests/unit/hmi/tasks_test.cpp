@@ -113,7 +113,7 @@ TEST_F(Tasks, LeaveAHoldJogAwayAndReturn) {
     hand.touch(&manual.axes(), Manual::kStepHits + 5);     // 10 mm
     hand.touch(&manual.axes(), Manual::jogHit(1, true));
     ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - left_at) > 1.0 && !(live().status().axes[0].flags & kMoving); })) << live().status().axes[0].cmd;
-    hand.soft("Return L1");
+    hand.soft("Return L1"), hand.soft("Return L1");   // axes move: asked once more
     ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - left_at) < 1e-9 && (live().channel(1).start_missing >> 7 & 1u) == 0; }));
     hand.soft("Start L1");
     EXPECT_LE(hand.actions, 8);
@@ -244,9 +244,9 @@ class FreshTasks : public Tasks {};
 // Nothing that would only be interrupted is started, and what is missing is said before.
 TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
     const QString program = QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc";
-    EXPECT_TRUE(lacksProgram(live(), 1) && lacksProgram(live(), 2));
+    ASSERT_TRUE(waitFor([&] { return lacksProgram(live(), 1) && lacksProgram(live(), 2); }));
     EXPECT_TRUE(startNeeds(live(), 1).join(' ').contains("no program is selected")) << startNeeds(live(), 1).join(' ').toStdString();
-    EXPECT_TRUE(startAll(live()).isEmpty());
+    EXPECT_TRUE(startPlan(live(), 0).begin.empty());
     Operator hand(*window);
     hand.screen("overview");
     hand.soft("Start all");
@@ -255,10 +255,95 @@ TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
     EXPECT_EQ(state(1), ChannelState::Reset);
     ASSERT_TRUE(g_controller->press("select L2=" + program));
     ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 2); }));
-    EXPECT_EQ(startAll(live()), QStringList{"cycle_start L2"});
+    EXPECT_EQ(startPlan(live(), 0).begin, std::vector<unsigned>{2});
+    EXPECT_EQ(startPlan(live(), 0).passed, std::vector<unsigned>{1});
     ASSERT_TRUE(g_controller->press("select L1=" + program));
     ASSERT_TRUE(waitFor([&] { return !lacksProgram(live(), 1); }));
-    EXPECT_EQ(startAll(live()), QStringList{"cycle_start"});
+    EXPECT_EQ(startPlan(live(), 0).begin, (std::vector<unsigned>{1, 2}));
+    ASSERT_TRUE(g_controller->press("mode L1=mdi"));
+    ASSERT_TRUE(waitFor([&] { return startNeeds(live(), 1).join(' ').contains("no block is entered"); }));
+    EXPECT_EQ(startPlan(live(), 0).passed, std::vector<unsigned>{1}) << "nothing is entered that could begin";
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
+}
+
+// Whoever presses: the kernel refuses, with a number and what to do; here it is the key of one channel.
+TEST_F(FreshTasks, AStartOfOneChannelIsRefusedByTheKernel) {
+    for (const char* channel : {"L1", "L2"}) ASSERT_TRUE(g_controller->press(QString("mode %1=mdi").arg(channel)));
+    ASSERT_TRUE(waitFor([&] { return lacksProgram(live(), 2); }));
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.key(Qt::Key_2, Qt::ControlModifier);
+    hand.soft("Start L2");
+    EXPECT_TRUE(waitFor([&] {
+        const AlarmEntry* alarm = window->desk().alarms.standing(2);
+        return alarm && alarm->number == "PT0535" && alarm->text.contains("no block is entered");
+    }));
+    for (const char* channel : {"L1", "L2"}) ASSERT_TRUE(g_controller->press(QString("mode %1=auto").arg(channel)));
+}
+
+// A start behind an interruption begins at the first block: whoever has forgotten that the program was somewhere else is asked.
+TEST_F(Tasks, AStartAfterAnInterruptedProgramAsksFirst) {
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).line > 3; }));
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset && live().channel(1).broken_off > 0 && live().channel(1).start_missing == 0; }));
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.key(Qt::Key_1, Qt::ControlModifier);
+    hand.soft("Start L1");
+    frames(*window, 300);
+    EXPECT_EQ(state(1), ChannelState::Reset);
+    hand.soft("Start L1");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Waiting; }));
+    EXPECT_EQ(live().channel(1).broken_off, 0u);
+}
+
+// «Ready» is a machine that does nothing.
+TEST_F(Tasks, TheTopBarSaysThatProgramsRun) {
+    startJob();
+    frames(*window, 100);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "Programs run"));
+    EXPECT_FALSE(standsOn(window->ownSheets(), "The machine is ready"));
+    ASSERT_TRUE(g_controller->press("feed_hold"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && state(2) == ChannelState::Held; }));
+    frames(*window, 100);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "Programs stand"));
+    ASSERT_TRUE(g_controller->press("reset"));
+}
+
+// While a program runs axes are not moved by hand: the keys are pale, and say why.
+TEST_F(Tasks, JogKeysOfARunningProgramSayWhyTheyDoNothing) {
+    startJob();
+    Operator hand(*window);
+    hand.screen("manual");
+    frames(*window, 100);
+    Manual& manual = screenOf<Manual>();
+    hand.touch(&manual.axes(), Manual::jogHit(1, true));
+    frames(*window, 60);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "A program runs: axes are moved by hand in a hold, after «Leave the hold»"));
+    EXPECT_EQ(window->desk().alarms.standing(1), nullptr) << "nothing was asked of the kernel";
+}
+
+// Who is in need of a key looks for it at its place: it is the same on every screen that has it.
+TEST_F(Tasks, HoldStartAndResetHaveTheirPlacesOnEveryScreen) {
+    std::map<QString, std::set<std::size_t>> places;
+    std::map<QString, int> screens;
+    for (std::size_t i = 0; i < window->screens().size(); ++i) {
+        Screen* screen = window->screens()[i];
+        for (int page = 0; page < (QString(screen->name()) == "manual" ? 2 : 1); ++page) {
+            screen->turnTo(page);
+            const auto keys = screen->keys();
+            for (std::size_t k = 0; k < keys.size(); ++k)
+                for (const char* word : {"Start L1", "Hold L1", "Reset L1", "Start all", "Hold all", "Reset all"})
+                    if (keys[k].text == word) places[word].insert(k), ++screens[word];
+        }
+        screen->turnTo(0);
+    }
+    for (const auto& [word, where] : places) EXPECT_EQ(where.size(), 1u) << word.toStdString();
+    EXPECT_GE(screens["Start L1"], 2);
+    EXPECT_GE(screens["Hold L1"], 3);
+    EXPECT_GE(screens["Reset L1"], 3);
+    EXPECT_GE(screens["Start all"], 2);
 }
 
 // By a finger and the wheel too, and a bar shows that there is more.

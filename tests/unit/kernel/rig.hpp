@@ -20,6 +20,7 @@ namespace polyturn::kernel {
 
 class TickRig {
 public:
+    static constexpr std::string_view kProgram = "rig.nc";   // that every channel has from the beginning
     static constexpr double kVelocity = 200.0, kAcceleration = 2000.0, kJerk = 40'000.0;  // every axis
 
     explicit TickRig(const std::function<void(params::Table&, RunOptions&)>& adjust = {}, const std::function<void(StoreSegment&)>& keep = {}) {
@@ -59,6 +60,7 @@ public:
         for (unsigned l = 1; l <= 3; ++l) {
             channel.push_back(std::make_unique<ChannelSegment>());
             machine->attach_channel(l - 1, *channel.back());
+            machine->channel(l - 1).select(kProgram, 0);
         }
     }
 
@@ -229,7 +231,7 @@ private:
             const auto head = kernel->events[l].head.load();
             while (tail.load() < head) {
                 const ChannelEvent& event = kernel->events[l].slot(tail.load());
-                heard[l].push_back(event);
+                if (std::string_view(event.text.data()) != kProgram) heard[l].push_back(event);
                 if (event.kind == static_cast<std::uint32_t>(ChannelEventKind::Reset)) {
                     channel[l]->epoch.store(event.epoch);
                     for (unsigned i = 0; i < 2 && l < 2; ++i) at_[l][i] = position(l * 2 + i + 1);

@@ -36,6 +36,8 @@ const std::map<std::string_view, Fault>& faults() {
              rig.machine->core().axes[1].detached = true;
              rig.machine->core().config.axes[1].named = true;
          }, "A2 detached"}},
+        {"program", {[](TickRig&, StartView& v) { v.lacks_program = true; }, "no program is selected"}},
+        {"block", {[](TickRig&, StartView& v) { v.lacks_block = true; }, "no block is entered"}},
         {"referenced", {[](TickRig& rig, StartView&) { rig.machine->core().axes[0].referenced = false; }, "A1 not referenced"}},
     };
     return kFaults;
@@ -93,6 +95,89 @@ TEST(StartConditions, ADoorThatOpensHoldsTheProgram) {
     rig.start(1);
     rig.run_until_idle();
     EXPECT_NEAR(rig.position(1), 50, 1e-9);
+}
+
+// Nothing that could only be interrupted begins, whoever presses the key.
+TEST(StartConditions, AChannelWithoutAProgramDoesNotBeginAndSaysWhatToDo) {
+    TickRig rig;
+    rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "");   // what was selected is no more
+    rig.start(1);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    const KernelEvent* alarm = rig.find(KernelEventKind::Alarm, 1);
+    ASSERT_NE(alarm, nullptr);
+    EXPECT_EQ(alarm->code, static_cast<int>(Alarm::NotReady));
+    EXPECT_NE(std::string(alarm->text.data()).find("no program is selected (select one"), std::string::npos) << alarm->text.data();
+    rig.command(CommandKind::Restart, 1, 120, 0, 0, 1);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset) << "nor does it restart";
+    rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "O1.nc");
+    rig.start(1);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Running);
+}
+
+// All that can and should begin, in one tick; who has nothing to begin was not meant.
+TEST(StartConditions, AStartOfAllPassesOverChannelsWithoutAProgram) {
+    TickRig rig;
+    rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "O1.nc");
+    rig.command(CommandKind::Select, 3, 0, 0, 0, 0, "O3.nc");
+    rig.command(CommandKind::Select, 2, 0, 0, 0, 0, "");
+    rig.start(0);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Running);
+    EXPECT_EQ(rig.state(2), ChannelState::Reset);
+    EXPECT_EQ(rig.state(3), ChannelState::Running);
+    EXPECT_EQ(rig.find(KernelEventKind::Alarm, 2), nullptr) << "passed over";
+    ASSERT_NE(rig.find(KernelEventKind::CycleStarted, 3), nullptr);
+    EXPECT_EQ(rig.find(KernelEventKind::CycleStarted, 1)->tick, rig.find(KernelEventKind::CycleStarted, 3)->tick);
+}
+
+TEST(StartConditions, AStartOfAllTellsWhatItLacksWhereAProgramIsSelected) {
+    TickRig rig;
+    rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "O1.nc");
+    rig.command(CommandKind::Select, 2, 0, 0, 0, 0, "O2.nc");
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_dooropen(2), 1);
+    rig.start(0);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Running);
+    EXPECT_EQ(rig.state(2), ChannelState::Reset);
+    EXPECT_TRUE(rig.alarmed(Alarm::NotReady, 2));
+}
+
+TEST(StartConditions, WhereNothingCouldBeginThatIsSaidOnce) {
+    TickRig rig;
+    for (unsigned l = 1; l <= 3; ++l) rig.command(CommandKind::Select, l, 0, 0, 0, 0, "");
+    rig.start(0);
+    rig.run(3);
+    int told = 0;
+    for (const KernelEvent& e : rig.log) told += e.kind == static_cast<std::uint32_t>(KernelEventKind::Alarm);
+    EXPECT_EQ(told, 1);
+}
+
+// N0000: a machine group is a machine of its own.
+TEST(StartConditions, AGroupIsStartedWithoutTheOthers) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n0000_machine_group, 2, 2); });
+    for (unsigned l = 1; l <= 3; ++l) rig.command(CommandKind::Select, l, 0, 0, 0, 0, "O1.nc");
+    rig.command(CommandKind::CycleStart, 0, 1, 0, 2);
+    rig.run(3);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    EXPECT_EQ(rig.state(2), ChannelState::Running);
+    EXPECT_EQ(rig.state(3), ChannelState::Reset);
+}
+
+// A successor has not been told what its predecessor was to do.
+TEST(StartConditions, ASuccessorOfADeadProcessHasNoProgram) {
+    TickRig rig;
+    rig.command(CommandKind::Select, 3, 0, 0, 0, 0, "O3.nc");
+    rig.run(2);
+    rig.command(CommandKind::ProcessDied, 0, 1, 0, static_cast<std::uint32_t>(kProcessChannel + 2));
+    rig.run(5);
+    rig.channel[2] = std::make_unique<ChannelSegment>();
+    rig.machine->attach_channel(2, *rig.channel[2]);
+    rig.start(3);
+    rig.run(3);
+    EXPECT_EQ(rig.state(3), ChannelState::Reset);
 }
 
 TEST(JogInHold, GoesBackTheSameWayAndTheProgramEndsWhereItWould) {

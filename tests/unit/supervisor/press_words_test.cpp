@@ -134,6 +134,41 @@ TEST(Press, SeveralChannelsInOneSentence) {
     for (const Command& command : *commands) EXPECT_EQ(command.flags, 3u) << "both restart, so their waits are replayed";
 }
 
+// T: the channels of a machine group (N0000). A start is one command, so that the kernel begins them in one tick and passes over who has
+// nothing to begin.
+TEST(Press, AMachineGroupIsNamedByItsLetter) {
+    const auto start = parse_press("cycle_start T1", machine());
+    ASSERT_TRUE(start) << start.diagnosis().text();
+    ASSERT_EQ(start->size(), 1u);
+    EXPECT_EQ(start->front().channel, 0u);
+    EXPECT_EQ(start->front().object, 1u);
+    for (const char* words : {"feed_hold T1", "reset t1", "single_block T1=on", "dry_run T1=on"}) {
+        const auto commands = parse_press(words, machine());
+        ASSERT_TRUE(commands) << words << ": " << commands.diagnosis().text();
+        ASSERT_EQ(commands->size(), 2u) << words;
+        EXPECT_EQ(commands->front().channel, 1u);
+        EXPECT_EQ(commands->back().channel, 2u);
+    }
+    for (const char* words : {"cycle_start T2", "reset T0", "feed_hold T", "single_block T2=on", "single_block T1=maybe", "return T1", "cycle_start T1x"}) {
+        const auto commands = parse_press(words, machine());
+        ASSERT_FALSE(commands) << words;
+        EXPECT_FALSE(commands.diagnosis().text().empty());
+    }
+    EXPECT_NE(parse_press("cycle_start T2", machine()).diagnosis().text().find("no group T2"), std::string::npos);
+}
+
+// A folder may lie deep; what is too deep is told with what to do, not with the form of the sentence.
+TEST(Press, APathOfTwoHundredCharactersIsSelectedAndALongerOneSaysWhatToDo) {
+    const std::string deep = "/" + std::string(120, 'a') + "/" + std::string(70, 'b') + "/O1.nc", deeper = "/" + std::string(200, 'a') + deep;
+    const auto commands = parse_press("select L1=" + deep, machine());
+    ASSERT_TRUE(commands) << commands.diagnosis().text();
+    EXPECT_EQ(std::string(commands->front().text.data()), deep);
+    const auto refused = parse_press("select L1=" + deeper, machine());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.diagnosis().alarm, Alarm::PressArgument) << "the remedy of the form helps nobody here";
+    EXPECT_LT(refused.diagnosis().text().size(), 120u) << "the remedy has no room behind it";
+}
+
 TEST(Press, NonsenseIsRefusedWithTheForm) {
     for (const char* words : {"",
                               "dance",
