@@ -5,6 +5,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -132,11 +133,12 @@ void Manual::showHand(bool on) {
 void Manual::layOut() {
     const int side = px(390), edge = px(8);
     const int keyboard = typing_ ? px(300) : 0;   // beneath the axes, while a block is entered
-    axes_->setGeometry(edge, edge, width() - side - 3 * edge, height() - 2 * edge - keyboard);
-    pad_->setGeometry(edge, height() - keyboard, width() - side - 3 * edge, std::max(0, keyboard - edge));
+    const Parted all = parted(*this, rect().adjusted(edge, edge, -edge, -edge), side, px(610), edge);
+    axes_->setGeometry(all.main.adjusted(0, 0, 0, upright(*this) ? 0 : -keyboard));
+    pad_->setGeometry(edge, height() - keyboard, all.main.width(), std::max(0, keyboard - edge));
     hand_->setGeometry(0, 0, width(), height());
     hand_->setVisible(handShown_), axes_->setVisible(!handShown_), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
-    side_->setGeometry(width() - side - edge, edge, side, height() - 2 * edge);
+    side_->setGeometry(all.side.adjusted(0, 0, 0, upright(*this) ? -keyboard : 0));
     for (Sheet* one : sheets()) one->refresh();
 }
 
