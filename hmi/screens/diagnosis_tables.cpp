@@ -60,7 +60,7 @@ void Diagnosis::fillSignals() {
 }
 
 void Diagnosis::fillAxes() {
-    table_->columns = {{word("Axis"), 1}, {word("Channel"), 0.9}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.05},
+    table_->columns = {{word("Axis"), 1}, {word("Channel"), 1.1}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
                        {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
                        {word("Torque"), 1.0, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.4}};
     table_->rowUnits = 34;
