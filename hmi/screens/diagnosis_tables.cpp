@@ -60,9 +60,9 @@ void Diagnosis::fillSignals() {
 }
 
 void Diagnosis::fillAxes() {
-    table_->columns = {{word("Axis"), 1}, {word("Channel"), 1.1}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
+    table_->columns = {{word("Axis"), 1}, {word("Channel"), 1.1}, {word("Commanded"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
                        {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
-                       {word("Torque"), 1.0, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.4}};
+                       {word("Torque"), 1.15, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.3}};
     table_->rowUnits = 34;
     auto axes = std::make_shared<std::vector<std::uint32_t>>();
     for (std::uint32_t a = 1; a <= desk_.live.config().last_axis; ++a)
