@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
 measured parts, pallets, users and a table of compensation, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
-and stand, then saves the screens; then a program that asks, for its dialogue, and last the machine with a counter spindle, for the part transfer.
+and stand, then saves the screens; then a program that asks, for its dialogue, one that drives circles, for the plot of circularity, and last
+the machine with a counter spindle, for the part transfer and for couplings.
 
   python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800] [--only diagnosis-7]
 """
@@ -21,6 +22,8 @@ TOP = pathlib.Path(__file__).resolve().parent.parent
 ASKS = {"O9500.nc": "O9500\nG65 H90 P072079 Q076069\nG65 H91 P1 Q066079 R076084\nG65 H91 P2 Q071082 R073068\nM99\n",
         "O9502.nc": "O9502\nG65 H92 P071082 Q073068\nG65 H93 P500 Q080073 R084067 I072000\nG65 H93 P501 Q067079 R085078 I084000\nG65 H94 P079078 Q076089\nM99\n",
         "O0001.nc": "O1\nM98 P9500\n#502=#500*2\nG4 X0.1\nM30\n"}
+# Circles without a rest between them; one axis is told a little less of its speed than the other, so that they come out oval.
+CIRCLES = "O0003\nN10 G98 G0 X80. Z10.\nN20 G1 Z0 F2400.\nN30 G2 U0 W-30. R15.\nN40 G2 U0 W30. R15.\nN50 GOTO 30\n"
 PITCH = ["N2500 A2=1", "N2501 A2=10", "N2502 A2=10010", "N2503 A2=10000", "N2504 A2=10020"]   # a pitch error table of the axis Z of L1
 MACHINE = ["N2912=24", "N2905=00001000", "N2920=4", "N2921=6", "N3300=3", "N3301=4", "PT_PLC_CYCLE=100", "PT_LATE_MAX=1000"]
 
@@ -165,7 +168,18 @@ def main():
                 run("press", f"select L1={asks}/O0001.nc"), run("press", "cycle_start L1")
                 time.sleep(2)
                 done = pictures("dialogue")
-            if done == 0 and options.only in ("", "manual", "manual-2"):   # part transfer, on the machine that passes parts
+            if done == 0 and options.only in ("", "diagnosis", "diagnosis-8"):
+                circles = pathlib.Path(folder, "circles.nc")
+                circles.write_text(CIRCLES, encoding="ascii")
+                run("press", "reset")
+                time.sleep(2)
+                run("params", "set", "N0511 A1=0.995")
+                for trace, signal in enumerate(("command A1", "command A2", "measured A1", "measured A2"), 1):
+                    run("press", f"scope {trace} {signal}")
+                run("press", f"select L1={circles}"), run("press", "cycle_start L1")
+                time.sleep(6)
+                done = pictures("diagnosis-8")
+            if done == 0 and options.only in ("", "manual", "manual-2", "diagnosis", "diagnosis-3"):   # part transfer, on the machine that passes parts
                 end(controller)
                 controller = start(TOP / "examples/machines/transfer", [])
                 run("press", "machine_on")
@@ -176,7 +190,14 @@ def main():
                 time.sleep(1)
                 run("press", "mdi L2 M11")
                 time.sleep(3)
-                done = pictures("manual-2")
+                if options.only in ("", "manual", "manual-2"):
+                    done = pictures("manual-2")
+                if done == 0 and options.only in ("", "diagnosis", "diagnosis-3"):   # the counter spindle follows the main one, Z takes its slide along
+                    run("press", "mdi L2 M61")
+                    time.sleep(3)
+                    run("press", "mdi L1 M64")
+                    time.sleep(3)
+                    done = pictures("diagnosis-3")
             return done
         finally:
             end(controller)

@@ -50,14 +50,14 @@ std::string reference_page(const ReferenceWords& words) {
                        words("This page is printed from the table in `channels/fanuc/g_codes.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
                        words("A, B, C are the systems of F3401, N is nct, M is mefi. *Holds at cycle start* unless a parameter says otherwise.") + "\n" +
                        words("A code that is *refused* is known and stops the program with alarm PT1032 and its name; every other code that stands not here is alarm 010.") + "\n\n";
-    page += "## " + words("G codes") + "\n" + reference_head(words, {"code", "systems", "group", "words of its own", "at cycle start", "state", "what it does"});
+    page += "## " + words("G codes") + "\n" + reference_head(words, {"code", "systems", "group", "words of its own", "at cycle start", "what it does"});
     for (const GCode& row : g_codes()) {
         static constexpr std::pair<GSystem, char> kSystems[] = {{kA, 'A'}, {kB, 'B'}, {kC, 'C'}, {kN, 'N'}, {kM, 'M'}};
         std::string systems;
         for (const auto& [bit, letter] : kSystems)
             if (row.systems & bit) systems += systems.empty() ? std::string(1, letter) : std::string(" ") + letter;
         page += "| " + std::string(row.name) + " | " + systems + " | " + words(group_name(row.group)) + " | " + words_of(row, words) + " | " +
-                (row.at_reset ? words("holds") : "") + " | " + words(row.act ? "built" : "refused") + " | " + words(row.text) + " |\n";
+                (row.at_reset ? words("holds") : "") + " | " + (row.act ? "" : "*" + words("refused") + "*: ") + words(row.text) + " |\n";
     }
     return page + m_code_section(words, text::own_m_codes(Dialect::Fanuc));
 }

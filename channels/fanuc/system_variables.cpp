@@ -90,10 +90,12 @@ void Interpreter::active_codes(std::string& out) const {
     }
 }
 
-// Local ones of the running macro level, common ones, kept ones.
+// Local ones of the running macro level, common ones, kept ones: «#101», «#510 TOOL_NO» where SETVN has given a name.
 void Interpreter::list_variables(const ShowVariable& show) const {
     const auto one = [&](std::size_t number, double value) {
-        if (!is_null(value)) show("#" + std::to_string(number), value);
+        if (is_null(value)) return;
+        const std::string_view name = number < kLocals ? std::string_view() : names_.of(static_cast<std::int64_t>(number));
+        show("#" + std::to_string(number) + (name.empty() ? "" : " ") + std::string(name), value);
     };
     const LocalSet& locals = variables_.levels().back();
     for (std::size_t n = 1; n < kLocals; ++n) one(n, locals[n]);

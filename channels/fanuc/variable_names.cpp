@@ -25,6 +25,12 @@ std::optional<std::int64_t> VariableNames::find(std::string_view name) const {
     return found == numbers_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::string_view VariableNames::of(std::int64_t number) const {
+    for (const auto& [name, own] : numbers_)
+        if (own == number) return name;
+    return {};
+}
+
 std::string VariableNames::text() const {
     std::string out;
     for (const auto& [name, number] : numbers_) out += std::to_string(number) + " " + name + "\n";

@@ -24,6 +24,7 @@ public:
 
     void name(std::int64_t number, std::string_view name);
     std::optional<std::int64_t> find(std::string_view name) const;
+    std::string_view of(std::int64_t number) const;   // empty: it has none
     std::string text() const;                 // "510 TOOL_NO\n511 COUNT\n": survives power-off
     bool take(std::string_view text);         // false: it is no such text, nothing is taken
 

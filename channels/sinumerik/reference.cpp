@@ -10,7 +10,8 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-std::string_view built(bool yes) { return yes ? "built" : "refused"; }
+// The name of a row; that of a word that is known and refused says so.
+std::string named(std::string_view name, bool built, const ReferenceWords& words) { return built ? std::string(name) : fmt::format("{} *({})*", name, words("refused")); }
 
 // One row a group: what acts, what is only kept as a mode, and what is refused, in the order of the group's numbers.
 std::string g_table(const ReferenceWords& words) {
@@ -32,9 +33,9 @@ std::string g_table(const ReferenceWords& words) {
 
 std::string address_table(const ReferenceWords& words) {
     constexpr std::array<std::string_view, 4> kIndex{"", "a number", "an axis", "a spindle"};
-    std::string page = "\n## " + words("Addresses") + "\n" + reference_head(words, {"address", "in brackets or as extension", "negative values", "state"});
+    std::string page = "\n## " + words("Addresses") + "\n" + reference_head(words, {"address", "in brackets or as extension", "negative values"});
     for (const Address& row : addresses())
-        page += fmt::format("| {} | {} | {} | {} |\n", row.name, words(kIndex[static_cast<std::size_t>(row.index)]), words(row.is_signed ? "yes" : "no"), words(built(row.use != Address::Use::Refused)));
+        page += fmt::format("| {} | {} | {} |\n", named(row.name, row.use != Address::Use::Refused, words), words(kIndex[static_cast<std::size_t>(row.index)]), words(row.is_signed ? "yes" : "no"));
     return page;
 }
 
@@ -64,7 +65,7 @@ std::string command_rows(std::span<const Command> rows, const ReferenceWords& wo
             arguments += fmt::format("{}{}", i ? ", " : "", words(type_name(types[i])));
         }
         const std::string count = row.least == row.most ? fmt::format("{}", row.most) : fmt::format("{} {} {}", row.least, words("to"), row.most);
-        page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.name, words(row.function ? "function" : "procedure"), count, arguments, row.own_block ? words("own block") : "", words(built(row.act)));
+        page += fmt::format("| {} | {} | {} | {} | {} |\n", named(row.name, row.act, words), words(row.function ? "function" : "procedure"), count, arguments, row.own_block ? words("own block") : "");
     }
     return page;
 }
@@ -76,10 +77,12 @@ std::string reference_page(const ReferenceWords& words) {
                        words("This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and `geo_rows.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
                        words("*Refused*: the word is known and stops the program with alarm PT1032 and its name. Groups and their numbers are those of $P_GG and MD20150; a star marks what is active when the control is delivered; a code in italics acts in its block only.") + "\n";
     page += g_table(words) + m_code_section(words, text::own_m_codes(Dialect::Sinumerik)) + address_table(words);
-    page += "\n## " + words("Functions and procedures") + "\n" + reference_head(words, {"name", "kind", "arguments", "their types", "block", "state"});
+    page += "\n## " + words("Functions and procedures") + "\n" + reference_head(words, {"name", "kind", "arguments", "their types", "block"});
     page += command_rows(program_commands(), words) + command_rows(geometry_commands(), words);
-    page += "\n## " + words("Words that begin a statement") + "\n" + reference_head(words, {"word", "state"});
-    for (const Statement& row : statements()) page += fmt::format("| {} | {} |\n", row.name, words(built(row.act)));
+    page += "\n## " + words("Words that begin a statement") + "\n";
+    std::string list;
+    for (const Statement& row : statements()) list += (list.empty() ? "" : ", ") + named(row.name, row.act, words);
+    page += list + "\n";
     return page;
 }
 

@@ -17,6 +17,7 @@
 
 namespace polyturn::hmi {
 namespace {
+constexpr int kCloseHit = 1, kBackHit = 2;
 constexpr int kFirstSlices = 2;   // laid out at once: what is seen first
 // What Qt leaves free between two tables whose borders collapse, and the line that both draw: so far up goes the next piece of a table
 // that was cut, so that one line stands between them, as between all rows. The test measures it.
@@ -83,21 +84,26 @@ HelpView::HelpView(QWidget* parent) : QWidget(parent), head_(new FreeSheet(this)
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.bar);
         w.sign(QRectF(px(12), px(10), px(24), px(24)), Sign::Help, t.accent);
         w.text(QRectF(px(46), 0, head_->width() * 0.5, head_->height()), word("Handbook"), lettering(19, true), t.text);
-        w.data(QRectF(head_->width() * 0.5, 0, head_->width() * 0.34, head_->height()), page_, lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        w.data(QRectF(head_->width() * 0.5, 0, head_->width() * 0.5 - px(been_.empty() ? 140 : 270), head_->height()), page_, lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
         const QRectF box(head_->width() - px(126), px(6), px(118), head_->height() - px(12));
         w.fill(box, t.raised, px(6));
         w.text(box, word("Close"), lettering(15, true), t.text, Qt::AlignCenter);
-        w.hit(box, 1);
+        w.hit(box, kCloseHit);
+        if (been_.empty()) return;
+        const QRectF from(box.left() - px(126), px(6), px(118), head_->height() - px(12));
+        w.fill(from, t.raised, px(6));
+        w.sign(QRectF(from.left() + px(8), from.center().y() - px(9), px(18), px(18)), Sign::Left, t.accent);
+        w.text(from.adjusted(px(28), 0, -px(4), 0), word("Back"), lettering(15, true), t.text, Qt::AlignCenter);
+        w.hit(from, kBackHit);
     };
-    head_->onTouched = [this](int) { hide(); };
+    head_->onTouched = [this](int number) { number == kBackHit ? back() : hide(); };
     text_->setFrameShape(QFrame::NoFrame);
     text_->setFocusPolicy(Qt::NoFocus);            // keys come through the window
     text_->setOpenLinks(false);
     // A table with long words is some pixels wider than the page: less than its margin hides nothing, and needs no bar over the text.
     QObject::connect(text_->horizontalScrollBar(), &QScrollBar::rangeChanged, text_, [this](int, int most) { text_->setHorizontalScrollBarPolicy(most > px(18) ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff); });
     QObject::connect(text_, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
-        const QString file = QFileInfo(url.path()).fileName();
-        if (file.endsWith(".md")) open({file, {}, {}});
+        follow(url.toString());
     });
     QObject::connect(&turn_, &QTimer::timeout, this, [this] { layNext(); });
     QScroller::grabGesture(text_->viewport(), QScroller::LeftMouseButtonGesture);
@@ -114,6 +120,7 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     const Theme& t = theme();
     QPalette colours = text_->palette();
     colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Link, t.accent);
+    colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
     text_->setPalette(colours);
     text_->setFont(lettering(16));
     setFingerBars(*text_);
@@ -139,6 +146,7 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
 }
 
 void HelpView::begin(std::size_t slice) {
+    linked_ = false, scrollTo_ = -1;
     turn_.stop(), painting_.forget(), pictures_.clear();
     toEnd_ = false;
     auto* document = new QTextDocument(text_);
@@ -165,7 +173,8 @@ void HelpView::layNext() {
     if (!complete()) return;
     turn_.stop();
     if (toEnd_) bar->setValue(bar->maximum());
-    toEnd_ = false;
+    else if (scrollTo_ >= 0 && bar->value() == 0) bar->setValue(scrollTo_);
+    toEnd_ = false, scrollTo_ = -1;
 }
 
 // Reading one takes longer than a turn may: aside. Without a file there is nothing to wait for.
@@ -246,7 +255,66 @@ void HelpView::lay(std::size_t slice, bool above) {
     }
 }
 
+// The next link from the chosen one on; where none is chosen, or it has been scrolled out of sight, from the top of what is seen (or from its
+// foot, backwards).
+void HelpView::nextLink(int step) {
+    struct Link {
+        int from, to;
+        QString href;
+    };
+    std::vector<Link> links;
+    for (QTextBlock block = document_->begin(); block.isValid(); block = block.next())
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+            const QTextFragment one = piece.fragment();
+            const QString href = one.charFormat().anchorHref();
+            if (!QUrl(href).path().endsWith(".md")) continue;   // what lies outside the handbook cannot be shown
+            if (!links.empty() && links.back().href == href && links.back().to == one.position()) links.back().to += one.length();
+            else links.push_back({one.position(), one.position() + one.length(), href});
+        }
+    if (links.empty()) return;
+    const QRect seen = text_->viewport()->rect();
+    QTextCursor at(document_);
+    at.setPosition(text_->textCursor().selectionStart());
+    const bool chosen = linked_ && seen.intersects(text_->cursorRect(at));
+    const int from = chosen ? at.position() : text_->cursorForPosition(step > 0 ? QPoint(0, 0) : QPoint(seen.right(), seen.bottom())).position();
+    const Link* next = nullptr;
+    for (const Link& one : links)
+        if (step > 0 ? one.from > from || (!chosen && one.from == from) : one.from < from) {
+            next = &one;
+            if (step > 0) break;
+        }
+    if (!next) next = step > 0 ? &links.front() : &links.back();
+    linked_ = true;
+    at.setPosition(next->from);
+    at.setPosition(next->to, QTextCursor::KeepAnchor);
+    text_->setTextCursor(at);
+    text_->ensureCursorVisible();
+}
+
+// Of the handbook only. Where it came from is kept, and what is below is not asked for again.
+void HelpView::follow(const QString& link) {
+    const QString file = QFileInfo(QUrl(link).path()).fileName();
+    if (!file.endsWith(".md")) return;
+    std::vector<Been> been = been_;                // another topic forgets them
+    been.push_back({page_, intro_, text_->verticalScrollBar()->value()});
+    open({file, {}, {}});
+    been_ = std::move(been);
+    head_->refresh();
+}
+
+// Where a link was followed from; else the list of the books.
+void HelpView::back() {
+    if (been_.empty()) return open({"README.md", {}, {}});
+    const Been last = been_.back();
+    been_.pop_back();
+    intro_ = last.intro;
+    load(last.page, {});
+    if (complete()) text_->verticalScrollBar()->setValue(last.scrolled);
+    else scrollTo_ = last.scrolled;
+}
+
 void HelpView::open(const HelpTopic& topic) {
+    been_.clear();
     intro_ = topic.intro;
     const HelpPlace place = placeInLanguage(folder(), {topic.page.isEmpty() ? QString("operator.md") : topic.page, topic.find}, codeOf(spoken()));
     load(place.page, topic.code ? topic.find : place.find, topic.code);
@@ -267,7 +335,13 @@ bool HelpView::key(QKeyEvent* event) {
             bar->setValue(0);
             return true;
         case Qt::Key_End: bar->setValue(bar->maximum()), toEnd_ = !complete(); return true;
-        case Qt::Key_Backspace: open({"README.md", {}, {}}); return true;
+        case Qt::Key_Tab: nextLink(1); return true;
+        case Qt::Key_Backtab: nextLink(-1); return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (!link().isEmpty()) follow(link());
+            return true;
+        case Qt::Key_Backspace: back(); return true;
         default: return false;
     }
 }

@@ -20,6 +20,8 @@ public:
     bool key(QKeyEvent* event);
     const QTextBrowser& text() const { return *text_; }
     Sheet* head() { return head_; }
+    QString link() const { return linked_ ? text_->textCursor().charFormat().anchorHref() : QString(); }   // that the keys have chosen
+    const QString& page() const { return page_; }
     bool complete() const { return begin_ == 0 && end_ == slices_.size(); }   // all of the page is there
     static QString folder();                       // of the manual; empty: it is not installed
 
@@ -32,6 +34,16 @@ private:
     void layNext();
     bool pictureReady(std::size_t slice);          // or there is none in it
     void begin(std::size_t slice);                 // the page anew, from there on
+    void nextLink(int step);
+    void follow(const QString& link);
+    void back();
+    struct Been {                                  // where a link was followed from
+        QString page, intro;
+        int scrolled = 0;
+    };
+    std::vector<Been> been_;
+    bool linked_ = false;                          // the cursor's selection is a link that the keys have chosen
+    int scrollTo_ = -1;                            // as soon as all of the page is there; -1: nowhere
     FreeSheet* head_;
     QTextBrowser* text_;
     QTextDocument* document_ = nullptr;            // what text_ shows

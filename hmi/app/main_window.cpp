@@ -10,6 +10,7 @@
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
+#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/machine_step.hpp"
 
 namespace polyturn::hmi {
@@ -254,8 +255,9 @@ void MainWindow::readBuilderMessages() {
 void MainWindow::resizeEvent(QResizeEvent*) { layOut(); }
 
 void MainWindow::layOut() {
-    setPanelScale(std::min(width() / 1280.0, height() / 800.0));
-    const int top = px(46), foot = px(82), line = px(30), rail = px(94);
+    const bool stands = upright(*this);
+    setPanelScale(stands ? std::min(width() / 960.0, height() / 1280.0) : std::min(width() / 1280.0, height() / 800.0));
+    const int top = px(stands ? 92 : 46), foot = px(stands ? 164 : 82), line = px(30), rail = px(94);
     top_->setGeometry(0, 0, width(), top);
     rail_->setGeometry(0, top, rail, height() - top - foot);
     stack_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
@@ -272,8 +274,9 @@ void MainWindow::showKeys() { bar_->show(dialogue_->isVisible() ? dialogue_->key
 
 void MainWindow::composeTop(Writer& w) {
     const Theme& t = theme();
-    const double h = height() ? top_->height() : 0, wide = top_->width();
-    w.fill(QRectF(0, 0, wide, h), t.bar);
+    const bool stands = upright(*this);     // there what is told stands in a line of its own
+    const double h = stands ? top_->height() / 2.0 : top_->height(), wide = top_->width();
+    w.fill(QRectF(0, 0, wide, top_->height()), t.bar);
     const auto step = static_cast<MachineStep>(live_.status().step);
     // Ready is a machine that nothing is missing to and that does nothing: what its channels do goes before it.
     std::vector<unsigned> run, stand;
@@ -302,23 +305,24 @@ void MainWindow::composeTop(Writer& w) {
     button(kHitTongue, nameOf(spoken()), Sign::Tongue, 104);
     w.text(QRectF(right - px(84), 0, px(78), h), QDateTime::currentDateTime().toString("HH:mm:ss"), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     right -= px(90);
-    const double left = px(384);
+    const double left = px(stands ? 8 : 384), down = stands ? h : 0;
+    if (stands) right = wide - px(8);
     if (dialogue_->channel() && !dialogue_->isVisible()) {   // put away: it comes back by a touch
-        const QRectF box(left, px(6), right - left, h - px(12));
+        const QRectF box(left, down + px(6), right - left, h - px(12));
         w.fill(box, t.mark, px(6));
-        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Note, t.accent);
-        w.data(QRectF(left + px(34), 0, right - left - px(42), h), word("L%1 asks: %2").arg(dialogue_->channel()).arg(dialogue_->title()), lettering(14, true), t.text);
+        w.sign(QRectF(left + px(8), down + px(14), px(18), px(18)), Sign::Note, t.accent);
+        w.data(QRectF(left + px(34), down, right - left - px(42), h), word("L%1 asks: %2").arg(dialogue_->channel()).arg(dialogue_->title()), lettering(14, true), t.text);
         w.hit(box, kHitDialogue);
     } else if (const AlarmEntry* alarm = live_.connected() ? alarms_.standing() : nullptr) {
-        const QRectF box(left, px(6), right - left, h - px(12));
+        const QRectF box(left, down + px(6), right - left, h - px(12));
         w.fill(box, t.card, px(6));
         w.frame(box, t.bad, px(6), 1);
-        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Alarm, t.bad);
+        w.sign(QRectF(left + px(8), down + px(14), px(18), px(18)), Sign::Alarm, t.bad);
         const std::size_t more = alarms_.standingCount() - 1;
-        w.sign(QRectF(right - px(26), px(14), px(18), px(18)), Sign::Right, t.dim);   // a touch opens it
-        if (more) w.text(QRectF(right - px(70), 0, px(42), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
+        w.sign(QRectF(right - px(26), down + px(14), px(18), px(18)), Sign::Right, t.dim);   // a touch opens it
+        if (more) w.text(QRectF(right - px(70), down, px(42), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
         const QString text = (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text;
-        const QRectF room(left + px(34), px(4), right - left - px(more ? 108 : 64), h - px(8));
+        const QRectF room(left + px(34), down + px(4), right - left - px(more ? 108 : 64), h - px(8));
         if (wordsWidth(text, lettering(14)) <= room.width()) {
             w.data(room, text, lettering(14), t.text);
         } else {   // on two lines
@@ -328,14 +332,14 @@ void MainWindow::composeTop(Writer& w) {
         }
         w.hit(box, kHitAlarm);
     } else if (const AlarmEntry* note = live_.connected() && static_cast<MachineStep>(live_.status().step) == MachineStep::Ready ? alarms_.told(0) : nullptr) {   // of the machine's builder: it belongs to no channel's card; what is to do next goes before it
-        const QRectF box(left, px(6), right - left, h - px(12));
+        const QRectF box(left, down + px(6), right - left, h - px(12));
         w.fill(box, t.card, px(6));
-        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Note, t.accent);
-        w.data(QRectF(left + px(34), 0, right - left - px(42), h), note->number + "  " + note->text, lettering(14), t.accent);
+        w.sign(QRectF(left + px(8), down + px(14), px(18), px(18)), Sign::Note, t.accent);
+        w.data(QRectF(left + px(34), down, right - left - px(42), h), note->number + "  " + note->text, lettering(14), t.accent);
         w.hit(box, kHitAlarm);
     } else {
         const QString does = (run.empty() ? QString() : word("%1 run").arg(channelList(run))) + (run.empty() || stand.empty() ? "" : "   ") + (stand.empty() ? QString() : word("%1 stand").arg(channelList(stand)));
-        w.data(QRectF(left, 0, right - left, h), worked ? does : live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
+        w.data(QRectF(left, down, right - left, h), worked ? does : live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
     }
 }
 

@@ -165,7 +165,7 @@ void DryRun::takeMove(RunChannel& own, const QJsonObject& event, double t, doubl
         if (place < 0) place = own.axes.size(), own.axes << one.key();
         if (place < static_cast<qsizetype>(move.machine.size())) move.machine[static_cast<std::size_t>(place)] = one.value().toDouble();
     }
-    move.tool = tool.value("number").toInt(move.tool);
+    move.tool = tool.value("number").toInt(move.tool), move.offset = tool.value("offset").toInt(), move.edge = tool.value("edge").toInt();
     own.moves.push_back(move);
 }
 

@@ -36,7 +36,7 @@ struct RunMove {
     bool rapid = false, arc = false, clockwise = false;
     double x = 0, z = 0, centreX = 0, centreZ = 0;   // in the workpiece system that the channel begins with: x as the program has it, the centre as a radius
     std::array<double, 6> machine{};  // of RunChannel::axes, true millimetres
-    int tool = 0;
+    int tool = 0, offset = 0, edge = 0;
 };
 struct RunChannel {
     QStringList axes;               // names of those that RunMove::machine tells

@@ -99,17 +99,18 @@ void Alarms::composeDetail(Writer& w) {
     }
     const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
     w.fill(QRectF(0, px(6), px(5), high - px(6)), colourOf(entry.severity), px(2));
-    w.sign(QRectF(px(16), px(18), px(26), px(26)), signOf(entry.severity), colourOf(entry.severity));
-    w.text(QRectF(px(52), px(14), px(110), px(34)), entry.number, lettering(18, true), colourOf(entry.severity));
-    Item& text = w.text(QRectF(px(164), px(14), wide - px(180), px(58)), entry.text, lettering(17, true), t.text, Qt::AlignLeft | Qt::AlignTop);
-    text.wraps = true, text.data = true;
-    w.text(QRectF(px(52), px(78), px(106), px(24)), word("Remedy"), lettering(14), t.dim);
-    Item& remedy = w.text(QRectF(px(164), px(78), wide - px(180), px(56)), entry.remedy.isEmpty() ? word("None is known.") : entry.remedy, lettering(16), entry.remedy.isEmpty() ? t.dim : t.text,
-                          Qt::AlignLeft | Qt::AlignTop);
-    remedy.wraps = true, remedy.data = true;
-    w.text(QRectF(px(52), px(140), px(106), px(24)), word("Place"), lettering(14), t.dim);
+    w.sign(QRectF(px(16), px(12), px(26), px(26)), signOf(entry.severity), colourOf(entry.severity));
+    w.text(QRectF(px(52), px(10), px(300), px(30)), entry.number.isEmpty() ? word("Message") : entry.number, lettering(18, true), colourOf(entry.severity));
+    const auto line = [&](double top, double tall, const QString& name, const QString& told, const QFont& font, const QColor& colour) {
+        w.text(QRectF(px(52), top, px(106), px(24)), name, lettering(14), t.dim);
+        Item& text = w.text(QRectF(px(164), top, wide - px(180), tall), told, font, colour, Qt::AlignLeft | Qt::AlignTop);
+        text.wraps = true, text.data = true;
+    };
+    line(px(42), px(48), word("Cause"), entry.text, lettering(17, true), t.text);
+    line(px(94), px(46), word("Remedy"), entry.remedy.isEmpty() ? word("None is known.") : entry.remedy, lettering(16), entry.remedy.isEmpty() ? t.dim : t.text);
+    w.text(QRectF(px(52), px(144), px(106), px(24)), word("Place"), lettering(14), t.dim);
     const QString channel = entry.channel ? QString("L%1").arg(entry.channel) : word("the machine");
-    w.data(QRectF(px(164), px(140), wide - px(180), px(24)),
+    w.data(QRectF(px(164), px(144), wide - px(180), px(24)),
            QString("%1   %2   %3").arg(channel, entry.place, word("%1 s after the start of the controller").arg(entry.seconds, 0, 'f', 3)), lettering(15), t.dim);
 }
 
@@ -135,7 +136,7 @@ HelpTopic Alarms::help() const {
     if (page_ == Page::Stops) return {"operator.md", "Log of stops", {}};
     if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size())) return {"operator.md", "Reading an alarm", {}};
     const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
-    return {"operator.md", "Reading an alarm", QString("# %1\n\n%2\n\n**%3:** %4\n\n%5").arg(entry.number.isEmpty() ? word("Message") : entry.number, entry.text, word("Remedy"), entry.remedy.isEmpty() ? word("None is known.") : entry.remedy, entry.place)};
+    return {"operator.md", "Reading an alarm", QString("# %1\n\n**%2:** %3\n\n**%4:** %5\n\n**%6:** %7").arg(entry.number.isEmpty() ? word("Message") : entry.number, word("Cause"), entry.text, word("Remedy"), entry.remedy.isEmpty() ? word("None is known.") : entry.remedy, word("Place"), (entry.channel ? QString("L%1").arg(entry.channel) : word("the machine")) + "   " + entry.place)};
 }
 
 bool Alarms::key(QKeyEvent* event) {

@@ -1,9 +1,46 @@
 #include "hmi/screens/compare_page.hpp"
 
 #include <QKeyEvent>
+#include <QFontMetricsF>
 #include <algorithm>
+#include <cmath>
 
 namespace polyturn::hmi {
+namespace {
+
+constexpr int kLeastLetters = 10;
+QFont face() { return lettering(13.5, false, Face::Program); }
+
+}  // namespace
+
+// At a blank where there is one in its second half.
+QStringList ComparePage::pieces(const QString& text, int letters) {
+    QStringList out;
+    qsizetype from = 0;
+    while (text.size() - from > letters) {
+        const auto blank = text.lastIndexOf(' ', from + letters - 1);
+        const auto to = blank > from + letters / 2 ? blank + 1 : from + letters;
+        out << text.mid(from, to - from);
+        from = to;
+    }
+    return out << text.mid(from);
+}
+
+int ComparePage::letters() const { return std::max(kLeastLetters, static_cast<int>(std::floor((view_->width() / 2.0 - px(80)) / QFontMetricsF(face()).horizontalAdvance('0')))); }
+
+int ComparePage::rowsOf(std::size_t line) const {
+    const PairedLine& one = difference_.lines[line];
+    const int letters = this->letters();
+    const auto rows = [&](int number, const QStringList& text) { return number < 0 ? 1 : static_cast<int>(text[number].size() <= letters ? 1 : pieces(text[number], letters).size()); };
+    return std::max(rows(one.left, difference_.left), rows(one.right, difference_.right));
+}
+
+int ComparePage::lastFirst() const {
+    int first = static_cast<int>(difference_.lines.size());
+    for (int left = room(); first > 0; --first)
+        if ((left -= rowsOf(static_cast<std::size_t>(first - 1))) < 0) break;
+    return first;
+}
 
 ComparePage::ComparePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), view_(new FreeSheet(this)) {
     view_->onCompose = [this](Writer& w) { compose(w); };
@@ -31,14 +68,14 @@ void ComparePage::go(int step) {
     for (int i = place_ + step; i >= 0 && i < count; i += step)
         if (begins(i)) {
             place_ = i;
-            first_ = std::clamp(i - room() / 3, 0, std::max(0, count - room()));
+            first_ = std::clamp(i - room() / 3, 0, std::max(0, lastFirst()));
             break;
         }
     view_->refresh();
 }
 
 void ComparePage::scroll(int by) {
-    first_ = std::clamp(first_ + by, 0, std::max(0, static_cast<int>(difference_.lines.size()) - room()));
+    first_ = std::clamp(first_ + by, 0, std::max(0, lastFirst()));
     view_->refresh();
 }
 
@@ -61,16 +98,19 @@ void ComparePage::compose(Writer& w) {
     w.data(QRectF(px(12), px(36), half - px(24), px(28)), left_, lettering(14), t.accent);
     w.data(QRectF(half + px(12), px(36), half - px(24), px(28)), right_, lettering(14), t.accent);
     w.line(QPointF(half, px(40)), QPointF(half, high - px(6)), t.edge, 1);
-    double y = px(68);
-    for (std::size_t i = static_cast<std::size_t>(first_); i < difference_.lines.size() && y + row < high; ++i, y += row) {
+    double y = px(68), tall = 0;
+    const int letters = this->letters();
+    for (std::size_t i = static_cast<std::size_t>(first_); i < difference_.lines.size() && y + row < high; ++i, y += tall) {
         const PairedLine& one = difference_.lines[i];
+        tall = row * rowsOf(i);
         const auto side = [&](double x, int line, const QStringList& text, bool other) {
-            if (!one.same) w.fill(QRectF(x + px(4), y, half - px(8), row), line >= 0 ? t.mark : t.window, px(3));
+            if (!one.same) w.fill(QRectF(x + px(4), y, half - px(8), tall), line >= 0 ? t.mark : t.window, px(3));
             if (line < 0) return;
             // A sign too, colour is never the only one: minus is not there, plus is only here, a wave is another text.
             if (!one.same) w.text(QRectF(x + px(50), y, px(16), row), other ? QString::fromUtf8("≠") : x > 0 ? "+" : QString::fromUtf8("−"), lettering(14, true), t.warn, Qt::AlignCenter);
             w.text(QRectF(x + px(4), y, px(42), row), QString::number(line + 1), lettering(12), t.faint, Qt::AlignRight | Qt::AlignVCenter);
-            w.data(QRectF(x + px(70), y, half - px(80), row), text[line], lettering(13.5, false, Face::Program), one.same ? t.dim : t.text);
+            double at = y;
+            for (const QString& piece : pieces(text[line], letters)) w.data(QRectF(x + px(70), at, half - px(76), row), piece, face(), one.same ? t.dim : t.text), at += row;
         };
         side(0, one.left, difference_.left, one.right >= 0);
         side(half, one.right, difference_.right, one.left >= 0);
@@ -82,7 +122,7 @@ void ComparePage::addKeys(std::vector<SoftKey>& keys) {
     keys.push_back({word("Next difference"), [this] { go(1); }, Sign::Down, any});
     keys.push_back({word("Previous difference"), [this] { go(-1); }, Sign::Up, any});
     keys.push_back({word("Page up"), [this] { scroll(-room()); }, Sign::None, first_ > 0});
-    keys.push_back({word("Page down"), [this] { scroll(room()); }, Sign::None, first_ + room() < static_cast<int>(difference_.lines.size())});
+    keys.push_back({word("Page down"), [this] { scroll(room()); }, Sign::None, first_ < lastFirst()});
 }
 
 bool ComparePage::key(QKeyEvent* event) {

@@ -16,6 +16,7 @@ public:
     std::vector<Sheet*> sheets() { return {view_}; }
     bool busy() const { return work_.busy(); }
     const Difference& difference() const { return difference_; }
+    static QStringList pieces(const QString& text, int letters);   // of a line: never empty
     int first() const { return first_; }
     const QString& left() const { return left_; }
     const QString& right() const { return right_; }
@@ -27,7 +28,10 @@ private:
     void compose(Writer& w);
     void go(int step);                  // to the next or the last place that differs
     void scroll(int by);
-    int room() const { return std::max(1, (view_->height() - px(76)) / px(22)); }
+    int room() const { return std::max(1, (view_->height() - px(76)) / px(22)); }   // lines of text that have room
+    int letters() const;                // of one line of text on a side
+    int rowsOf(std::size_t line) const; // a long one goes on below itself, on both sides at once
+    int lastFirst() const;              // with which the end is seen
     Desk& desk_;
     FreeSheet* view_;
     QString left_, right_;

@@ -8,6 +8,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/round_step.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -23,7 +24,7 @@ double largest(const CompensationCurve& curve) {
 }  // namespace
 
 CompensationPage::CompensationPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), curves_(new Table(this)), points_(new Table(this)), graph_(new FreeSheet(this)) {
-    curves_->columns = {{word("Table"), 3.4}, {word("Points"), 0.9, kRight}, {word("Largest"), 1.1, kRight}};
+    curves_->columns = {{word("Table"), 2.8}, {word("Points"), 0.9, kRight}, {word("Largest"), 1.7, kRight}};
     curves_->rowUnits = 36;
     curves_->nothing = word("No compensation table is described (N2500 to N2808).");
     curves_->rows = [this] { return static_cast<int>(all_.size()); };
@@ -101,9 +102,15 @@ bool CompensationPage::key(QKeyEvent* event) {
 
 void CompensationPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = static_cast<int>(width() * 0.4), top = static_cast<int>(height() * 0.44);
-    curves_->setGeometry(edge, 0, left - edge, top - edge);
-    points_->setGeometry(edge, top, left - edge, height() - top - edge);
-    graph_->setGeometry(left + edge, 0, width() - left - 2 * edge, height() - edge);
+    if (upright(*this)) {
+        const int half = (width() - 3 * edge) / 2;
+        curves_->setGeometry(edge, 0, half, top - edge), points_->setGeometry(half + 2 * edge, 0, half, top - edge);
+        graph_->setGeometry(edge, top, width() - 2 * edge, height() - top - edge);
+    } else {
+        curves_->setGeometry(edge, 0, left - edge, top - edge);
+        points_->setGeometry(edge, top, left - edge, height() - top - edge);
+        graph_->setGeometry(left + edge, 0, width() - left - 2 * edge, height() - edge);
+    }
     for (Sheet* one : sheets()) one->refresh();
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -311,11 +312,18 @@ void ContourPage::composeNote(Writer& w) {
 void ContourPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = px(430), pad = px(320), foot = px(48);
     const int high = height() - 2 * edge;
-    const int upper = std::max(px(160), high * 44 / 100);
-    elements_->setGeometry(edge, 0, left, upper);
-    data_->setGeometry(edge, upper + edge, left, height() - upper - 2 * edge);
+    const int top = upright(*this) ? height() * 36 / 100 : 0;   // of what lies below the picture there
+    const int upper = std::max(px(160), (high - top) * 44 / 100);
+    elements_->setGeometry(edge, top, left, upper);
+    data_->setGeometry(edge, top + upper + edge, left, height() - top - upper - 2 * edge);
     const int from = left + 2 * edge, wide = width() - from - edge;
     const int padWide = std::min(px(330), wide / 2);
+    if (top > 0) {
+        picture_->setGeometry(edge, 0, width() - 2 * edge, top - edge);
+        note_->setGeometry(from, top, wide, foot + px(60));
+        pad_->setGeometry(from, height() - pad - edge, wide, pad);
+        return;
+    }
     picture_->setGeometry(from, 0, wide, height() - pad - 2 * edge);
     pad_->setGeometry(width() - padWide - edge, height() - pad - edge, padWide, pad);
     note_->setGeometry(from, height() - pad - edge - px(6), wide - padWide - edge, foot + px(60));

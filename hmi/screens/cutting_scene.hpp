@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/machine/cutting_tool.hpp"
 #include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
@@ -17,9 +18,11 @@ public:
     void begin(double diameter, double bore, double length, double face);
     bool any() const { return !radius_.empty(); }
     const std::vector<double>& radii() const { return radius_; }
-    void cutTo(const std::vector<double>& radii);   // what another one of the same blank had lost as well
-    // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius.
-    void cut(double z0, double x0, double z1, double x1);
+    const std::vector<double>& holes() const { return inner_; }
+    void cutTo(const std::vector<double>& radii, const std::vector<double>& holes);   // what another one of the same blank had lost as well
+    // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius. At which side of the wall it works is answered,
+    // as the tool says it, else as the cut looks: Unknown, where it touched nothing.
+    CutSide cut(double z0, double x0, double z1, double x1, const CuttingTool& tool = {});
     double radiusAt(double z) const;
     double boreAt(double z) const;         // the radius of the hole there; 0: none
     bool hollow() const;
@@ -30,9 +33,9 @@ public:
     static constexpr double kStep = 0.1;   // mm
 
 private:
-    // Cuts the side of a hole rather than the outside: a drill, a boring bar. `i`: where it works.
     bool drills(double z0, double x0, double z1, double x1) const;
-    bool bores(long i, double x) const;
+    bool bores(long i, double x) const;    // the wall of a hole rather than the outside, by what is nearer; `i`: where it works
+    CutSide sideOf(double z0, double x0, double z1, double x1, const CuttingTool& tool) const;
 
     std::vector<double> radius_, inner_;
     double left_ = 0, outer_ = 0, bore_ = 0;
@@ -44,6 +47,7 @@ double arcTurn(double difference, bool clockwise, bool whole);
 struct TrailPoint {
     double z, x;                       // in the room
     bool rapid, begins;
+    CuttingTool tool = {};             // that has come here
 };
 struct Trail {
     std::deque<TrailPoint> points;
@@ -61,7 +65,7 @@ public:
     void begin(const text::JobStock& stock, const Zero& zero);
     void place(const Zero& zero) { zero_ = zero, changed = true; }
     const Zero& zero() const { return zero_; }
-    void add(unsigned channel, double z, double x, bool rapid);
+    void add(unsigned channel, double z, double x, bool rapid, const CuttingTool& tool = {});
     // What was driven before the blank was known, cut out of it.
     void cutAgain(const std::map<unsigned, Trail>& driven);
     // What a channel has driven before all that is known of it.
@@ -73,8 +77,15 @@ public:
     bool changed = true, cut = false;  // changed: the picture must be drawn anew; cut: the stock is another one since
 
 private:
-    void cutTo(const TrailPoint& from, double z, double x);
+    void cutTo(unsigned channel, const TrailPoint& from, const TrailPoint& to);
     Zero zero_;
+    // Of tools that do not say themselves at which side they work: where they began. A tool does not change from the outside into a hole
+    // because the wall in between has become thin.
+    struct Seen {
+        std::int32_t number = 0;
+        CutSide side = CutSide::Unknown;
+    };
+    std::map<unsigned, Seen> seen_;
 };
 
 }  // namespace polyturn::hmi

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -250,6 +251,14 @@ void CycleFormPage::composeNote(Writer& w) {
 
 void CycleFormPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), right = px(440), foot = px(98), pad = px(350);
+    if (upright(*this)) {
+        const int below = now_ ? pad : px(300), y = height() - foot - below - 2 * edge, beside = width() - 2 * edge - px(346) - edge;
+        table_->setGeometry(edge, 0, width() - 2 * edge, y - edge);
+        picture_->setGeometry(edge, y, now_ ? beside : width() - 2 * edge, below);
+        pad_->setGeometry(width() - px(346) - edge, y, px(346), pad);
+        note_->setGeometry(edge, height() - foot - edge, width() - 2 * edge, foot);
+        return pad_->setVisible(now_.has_value());
+    }
     table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - foot - edge);
     note_->setGeometry(edge, height() - foot - edge, width() - right - 3 * edge, foot);
     const int left = width() - right - edge;

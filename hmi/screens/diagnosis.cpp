@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 
 #include "hmi/screens/channel_keys.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -68,10 +69,12 @@ void Diagnosis::resizeEvent(QResizeEvent*) { layOut(); }
 
 void Diagnosis::layOut() {
     const bool beside = page_ == Page::Processes, scope = page_ == Page::Scope;
-    const int top = px(46), edge = px(8), side = beside ? width() / 2 : 0;
+    const bool stacked = beside && upright(*this);
+    const int top = px(46), edge = px(8), side = beside && !stacked ? width() / 2 : 0, below = stacked ? (height() - top) / 2 : 0;
     head_->setGeometry(0, 0, width(), top);
-    table_->setGeometry(edge, top, width() - 2 * edge - side, height() - top - edge);
-    detail_->setGeometry(width() - side, top, side - edge, height() - top - edge);
+    table_->setGeometry(edge, top, width() - 2 * edge - side, height() - top - edge - below);
+    if (stacked) detail_->setGeometry(0, height() - below, width() - edge, below - edge);
+    else detail_->setGeometry(width() - side, top, side - edge, height() - top - edge);
     scope_->setGeometry(0, top, width(), height() - top);
     table_->setVisible(!scope), detail_->setVisible(beside), scope_->setVisible(scope);
 }

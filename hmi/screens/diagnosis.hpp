@@ -26,6 +26,7 @@ public:
     int pages() const override { return 10; }   // behind the pages the circularity plot, the scope's list of signals, its trigger level
     HelpTopic help() const override;
     void turnTo(int page) override;
+    bool busy() const override { return page_ == Page::Scope && scope_->judging(); }
 
     enum class Page : std::uint8_t { Signals, Axes, Couplings, Variables, Counters, Processes, Scope };
     void showPage(Page page);

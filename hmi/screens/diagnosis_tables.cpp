@@ -60,9 +60,9 @@ void Diagnosis::fillSignals() {
 }
 
 void Diagnosis::fillAxes() {
-    table_->columns = {{word("Axis"), 1}, {word("Channel"), 0.9}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 0.8},
+    table_->columns = {{word("Axis"), 1}, {word("Channel"), 1.1}, {word("Commanded"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
                        {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
-                       {word("Torque"), 1.0, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.4}};
+                       {word("Torque"), 1.15, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.3}};
     table_->rowUnits = 34;
     auto axes = std::make_shared<std::vector<std::uint32_t>>();
     for (std::uint32_t a = 1; a <= desk_.live.config().last_axis; ++a)
@@ -152,7 +152,7 @@ void Diagnosis::fillCouplings() {
 
 // What the program has written so far, as far as the channel has read: reading is ahead of the machine.
 void Diagnosis::fillVariables() {
-    table_->columns = {{word("Variable"), 2}, {word("Value"), 2, Qt::AlignRight | Qt::AlignVCenter}, {"", 5}};
+    table_->columns = {{word("Variable"), 2}, {word("Value"), 2, Qt::AlignRight | Qt::AlignVCenter}, {word("Name"), 5}};
     table_->rowUnits = 32;
     table_->nothing = search_.isEmpty() ? word("No variable of this channel has a value.") : word("No variable has this in its name.");
     auto lines = std::make_shared<std::vector<std::pair<QString, QString>>>();
@@ -174,7 +174,8 @@ void Diagnosis::fillVariables() {
     table_->cell = [lines, more](int row, int column) -> Table::Cell {
         if (row == static_cast<int>(lines->size())) return column == 0 ? Table::Cell{word("more: %1").arg(more), theme().dim} : Table::Cell{};
         const auto& [name, value] = (*lines)[static_cast<std::size_t>(row)];
-        return column == 0 ? Table::Cell{name, theme().text, Sign::None, true, Face::Program} : column == 1 ? Table::Cell{value, theme().text} : Table::Cell{};
+        if (column == 2) return {name.section(' ', 1), theme().accent, Sign::None, false, Face::Program};   // that the program has given it
+        return column == 0 ? Table::Cell{name.section(' ', 0, 0), theme().text, Sign::None, true, Face::Program} : Table::Cell{value, theme().text};
     };
 }
 

@@ -16,22 +16,11 @@
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/finger_bars.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr int kPauseMs = 500;                      // no letter for so long: it is checked
-
-// The first job beside the program that has it.
-QString jobOf(const QString& program) {
-    const QDir dir = QFileInfo(program).absoluteDir();
-    for (const QString& name : dir.entryList({"*.job.toml"}, QDir::Files, QDir::Name))
-        if (const auto job = text::load_job(dir.filePath(name).toStdString()))
-            for (const auto& [channel, one] : job->programs)
-                if (QFileInfo(QString::fromStdString(one.file)).absoluteFilePath() == program) return dir.filePath(name);
-    return {};
-}
 
 }  // namespace
 
@@ -121,12 +110,12 @@ void EditorPage::check() {
     const QFileInfo info(file_);                   // the path alone: nothing asks the disk
     const QString name = QString("/.check-%1-%2").arg(QCoreApplication::applicationPid()).arg(info.fileName());
     const QStringList places{info.absolutePath() + name, QDir::tempPath() + name};
-    copying_.start([places, bytes = bytes(), program = info.absoluteFilePath()](const std::atomic<bool>& stop) {
+    copying_.start([places, bytes = bytes(), program = info.absoluteFilePath(), known = job_](const std::atomic<bool>& stop) {
         for (const QString& place : places) {
             QFile copy(place);
             const bool written = copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size();
             copy.close();
-            if (written && !stop) return Checked{place, jobOf(program)};
+            if (written && !stop) return Checked{place, jobBeside(program, known)};
             QFile::remove(place);
         }
         return Checked();
@@ -141,6 +130,7 @@ void EditorPage::drop(const QString& copy) {
 
 void EditorPage::startCheck(const Checked& what) {
     temporary_ = what.copy;
+    if (!what.job.program.isEmpty()) job_ = what.job;
     if (temporary_.isEmpty()) return void(failure_ = word("The program cannot be checked here."));
     out_.clear();
     process_ = std::make_unique<QProcess>();
@@ -151,12 +141,12 @@ void EditorPage::startCheck(const Checked& what) {
         if (error == QProcess::FailedToStart) failure_ = word("The program polyturn is not beside the HMI."), finish();
     });
     QStringList arguments{"check", "--quiet"};
-    if (what.job.isEmpty()) {
+    if (what.job.job.isEmpty()) {
         const unsigned channel = channelOfFile();
         arguments << QString("%1=%2").arg(channel).arg(temporary_);
         if (!language_.isEmpty()) arguments << "--language" << QString("%1=%2").arg(channel).arg(language_);
     } else {   // waits and spindles of the other channels count
-        arguments << what.job << "--instead" << file_ + "=" + temporary_;
+        arguments << what.job.job << "--instead" << file_ + "=" + temporary_;
     }
     if (desk_.live.connected()) arguments << "--like" << QString::fromStdString(desk_.live.instance());
     process_->start(QCoreApplication::applicationDirPath() + "/polyturn", arguments);
@@ -346,7 +336,7 @@ void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     for (const Fault& one : faults_) faults |= one.line > 0;
     if (opening() || saving()) return keys.push_back({word("Stop"), [this] { stop(); }, Sign::Stop});
     keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString(), {}, file_, file_.section('/', -1)});
-    keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
+    keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Undo, edit_->document()->isUndoAvailable()});
     keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});
     if (part_.whole()) {
         keys.push_back({word("Next fault"), [this] { goToFault(1); }, Sign::Warning, faults});

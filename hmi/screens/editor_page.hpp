@@ -11,6 +11,7 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
 #include "hmi/machine/file_text.hpp"
+#include "hmi/machine/job_beside.hpp"
 #include "hmi/screens/program_colours.hpp"
 #include "hmi/widgets/text_pad.hpp"
 
@@ -83,7 +84,8 @@ private:
     void saved(const Saved& done);
     // What is checked: a copy of the text, in the place of its file in the job that has it.
     struct Checked {
-        QString copy, job;
+        QString copy;
+        JobBeside job;
     };
     void startCheck(const Checked& what);
     void drop(const QString& copy);                // removes it, aside
@@ -123,6 +125,7 @@ private:
     Aside<bool> keeping_;                          // the draft
     bool kept_ = false;                            // one is on the disk
     Aside<Checked> copying_;                       // for the check
+    JobBeside job_;                                // as the last check has found it
     Aside<bool> dropping_;
     std::shared_ptr<FileProgress> progress_ = std::make_shared<FileProgress>();
     int savedRevision_ = 0;

@@ -10,6 +10,7 @@
 
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -186,13 +187,14 @@ void FilesPage::resizeEvent(QResizeEvent*) { layOut(); }
 
 void FilesPage::layOut() {
     const int edge = px(8), half = static_cast<int>(width() * 0.5), foot = px(52), letters = px(300);
-    files_->setGeometry(edge, 0, half - 2 * edge, height() - edge);
+    const Parted all = parted(*this, rect().adjusted(edge, 0, -edge, -edge), width() - half - edge, height() * 56 / 100, edge);
+    files_->setGeometry(all.main);
     const bool naming = naming_ != Naming::None, state = menu_ || naming;
     pad_->setVisible(naming), state_->setVisible(state);
     const int below = (state ? foot + edge : 0) + (naming ? letters + edge : 0);
-    view_->setGeometry(half, 0, width() - half - edge, height() - edge - below);
-    state_->setGeometry(half, height() - edge - below + edge, width() - half - edge, foot);
-    pad_->setGeometry(half, height() - edge - letters, width() - half - edge, letters);
+    view_->setGeometry(all.side.adjusted(0, 0, 0, -below));
+    state_->setGeometry(all.side.left(), height() - edge - below + edge, all.side.width(), foot);
+    pad_->setGeometry(all.side.left(), height() - edge - letters, all.side.width(), letters);
     for (Sheet* one : sheets()) one->refresh();
 }
 

@@ -65,7 +65,7 @@ void Graphics::forget() {
 
 void Graphics::rebuilt() {
     forget();
-    zeroZ_.clear(), zeroDue_.clear(), cycle_.clear();
+    zeroZ_.clear(), zeroDue_.clear(), cycle_.clear(), inWork_.clear(), inRun_.clear();
 }
 
 // The job beside the running program that names it: its stock. Looked for aside: the folder may lie on a network.
@@ -167,8 +167,21 @@ void Graphics::followLive() {
         if (status.blocks > 0) followZero(channel, at.z);   // before, the picture may be that of the program's end
         const CuttingScene::Zero zero = zeroOf(channel);
         if (std::abs(at.z - zero.z) > kFurthest || std::abs(at.x - zero.x) > kFurthest) live_.lift(channel);
-        else live_.add(channel, at.z, at.x, live.view(channel).rapid);
+        else live_.add(channel, at.z, at.x, live.view(channel).rapid, toolInWork(channel));
     }
+}
+
+// Asked for in every frame: looked up when it is another one, or its data are.
+const CuttingTool& Graphics::toolInWork(unsigned channel) {
+    const BlockPicture& picture = desk_.live.view(channel).picture;
+    const CalledTool called{static_cast<std::int32_t>(std::max<std::int64_t>(0, picture.tool)), desk_.live.channel(channel).tool, picture.geometry, picture.edge};
+    return lookedUp(inWork_[channel], channel, called);
+}
+
+const CuttingTool& Graphics::lookedUp(LookedUp& known, unsigned channel, const CalledTool& called) {
+    const std::uint64_t tools = desk_.live.toolsVersion(), store = desk_.live.storeVersion();
+    if (!(known.called == called) || known.tools != tools || known.store != store) known = {called, tools, store, cuttingTool(desk_.live, channel, called)};
+    return known.tool;
 }
 
 void Graphics::follow() {
@@ -245,7 +258,9 @@ void Graphics::playTo(double seconds) {
         const auto xPlace = xAxis && room ? room->axes.find(xAxis->number) : std::map<unsigned, RoomPlace>::const_iterator{};
         const bool down = xAxis && room && xPlace != room->axes.end() && xPlace->second.direction.x < 0;
         const double share = xAxis && xAxis->diameter ? 0.5 : 1.0, side = down ? -1.0 : 1.0;
-        const auto put = [&](double x, double z, bool rapid) { drySide_.add(channel, zero.z + zero.sense * z, zero.x + side * x, rapid); };
+        const auto put = [&](const RunMove& of, double x, double z, bool rapid) {
+            drySide_.add(channel, zero.z + zero.sense * z, zero.x + side * x, rapid, lookedUp(inRun_[channel], channel, {of.tool, 0, of.offset, of.edge}));
+        };
         Played& at = dryAt_[channel];
         const auto partOf = [&](const RunMove& move) { return move.end > move.t ? std::clamp((dryTime_ - move.t) / (move.end - move.t), 0.0, 1.0) : 1.0; };
         for (; at.move < run.moves.size() && run.moves[at.move].t <= dryTime_; ++at.move, at.part = 0) {
@@ -258,10 +273,10 @@ void Graphics::playTo(double seconds) {
                 const int first = static_cast<int>(at.part * kArcParts) + 1, last = static_cast<int>(part * kArcParts);
                 for (int i = first; i <= last; ++i) {
                     const double angle = begins + turn * i / kArcParts;
-                    put(move.centreX + radius * std::sin(angle), move.centreZ + radius * std::cos(angle), false);
+                    put(move, move.centreX + radius * std::sin(angle), move.centreZ + radius * std::cos(angle), false);
                 }
             } else if (part > at.part) {
-                put(x0 + (x1 - x0) * part, from.z + (move.z - from.z) * part, move.rapid);
+                put(move, x0 + (x1 - x0) * part, from.z + (move.z - from.z) * part, move.rapid);
             }
             at.part = part;
             if (part < 1) break;

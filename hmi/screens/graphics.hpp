@@ -46,6 +46,8 @@ public:
     double dryTime() const { return dryTime_; }
     const std::map<unsigned, PathNames>& pathNames() const { return names_; }
     std::vector<QRectF> labels() const;   // of tips and bodies
+    QRectF legend() const;
+    const std::vector<QRectF>& frames() const { return frames_; }   // of travel
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -67,6 +69,13 @@ private:
     CuttingScene::Zero zeroOf(unsigned channel, bool dryRun = false) const;
     void followZero(unsigned channel, double tipZ);
     void followLive();
+    struct LookedUp {
+        CalledTool called{};
+        std::uint64_t tools = 0, store = 0;   // versions
+        CuttingTool tool{};
+    };
+    const CuttingTool& toolInWork(unsigned channel);
+    const CuttingTool& lookedUp(LookedUp& known, unsigned channel, const CalledTool& called);
     // graphics_kept.cpp
     void keepPaths();                      // those of the running part, and a run that is over
     void bringBack();                      // what was there before a restart, as soon as it is known
@@ -113,6 +122,11 @@ private:
     QRegion takeLooks();                   // as everything stands now; what must be painted again
     void drawBody(QPainter& p, const BodyLook& body);
     void drawNotes(QPainter& p, const QRegion& region);
+    struct Notes {
+        QString lines, none;
+        bool two = false;                  // lines of text
+    };
+    Notes notes() const;
     void drawStrokes(QPainter& p, const QRectF& area);
     QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
     QRectF nameBox(unsigned channel, const QPointF& place) const;
@@ -127,6 +141,7 @@ private:
     std::vector<ShownBody> bodies_;
     std::vector<ShownStroke> strokes_;
     std::map<unsigned, double> cycle_;     // of the parts, by channel
+    std::map<unsigned, LookedUp> inWork_, inRun_;   // by channel
     std::map<unsigned, double> zeroZ_;     // of the workpiece in the room, as the running block has it
     std::set<unsigned> zeroDue_;           // channels whose new part has not told its zero yet: that of the part before is shown
     Aside<FoundJob> finding_;
@@ -145,6 +160,7 @@ private:
     QPixmap picture_;
     std::map<unsigned, PathNames> names_;  // of channels, on the paths of the picture
     std::vector<BodyLook> bodyLooks_;
+    std::vector<QRectF> frames_;
     std::map<unsigned, TipLook> tipLooks_;
     bool redraw_ = true;
     double zoom_ = 1;

@@ -38,7 +38,7 @@ void Graphics::keepPaths() {
     }
     if (pathsBack_ || !desk_.live.connected() || job_.program.empty()) return;
     KeptPaths out;
-    out.machineRun = desk_.live.machineRun(), out.program = job_.program, out.radii = live_.stock.radii();
+    out.machineRun = desk_.live.machineRun(), out.program = job_.program, out.radii = live_.stock.radii(), out.holes = live_.stock.holes();
     for (const auto& [number, trail] : live_.trails) {
         const ChannelStatus& now = desk_.live.channel(number);
         const auto zero = zeroZ_.find(number);
@@ -86,7 +86,7 @@ void Graphics::bringBackPaths() {
     }
     if (samePart) {
         beginStock(live_);                 // with the zeros as they are known now
-        live_.stock.cutTo(kept.radii);
+        live_.stock.cutTo(kept.radii, kept.holes);
         live_.cutAgain(since);
     }
     redraw_ = true;

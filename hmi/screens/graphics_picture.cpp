@@ -59,9 +59,30 @@ void Graphics::measure() {
             take(stroke.allowed.zLow, from, to), take(stroke.allowed.zHigh, from, to), take(stroke.allowed.xLow, low, high), take(stroke.allowed.xHigh, low, high);
         }
     const double top = head_->height();
-    scale_ = std::min((width() - px(60)) / std::max(1.0, to - from), (height() - top - px(60)) / std::max(1.0, high - low)) * zoom_;
+    const double room = height() - top - legend().height();   // whose lines say what the lines of the picture mean: it lies over none of them
+    scale_ = std::min((width() - px(60)) / std::max(1.0, to - from), (room - px(40)) / std::max(1.0, high - low)) * zoom_;
     centre_ = QPointF((from + to) / 2, (low + high) / 2);
-    origin_ = QPointF(width() * (0.5 + moved_.x()), top + (height() - top) / 2.0 + height() * moved_.y());
+    origin_ = QPointF(width() * (0.5 + moved_.x()), top + room / 2.0 + height() * moved_.y());
+}
+
+// Where the lines at the foot stand: one, or two where both do not fit beside each other.
+QRectF Graphics::legend() const {
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
+    const Notes notes = this->notes();
+    const double high = (notes.two ? 2 : 1) * QFontMetricsF(lettering(13.5)).height() + px(14);
+    return {area.left(), area.bottom() - high, area.width(), high};
+}
+
+// What the lines mean; and where there is no part, why.
+Graphics::Notes Graphics::notes() const {
+    Notes out;
+    out.lines = word("Solid outline: monitored; dashed: drawn only");
+    if (desk_.live.channels().size() > kFewChannels && !dry_) out.lines = word("Paths since these screens started; tips drawn as points");   // no room for it on top
+    const CuttingScene& scene = dry_ ? drySide_ : live_;
+    if (!scene.stock.any()) out.none = word("No job names the stock of the running program");
+    const QFont font = lettering(13.5);
+    out.two = !out.none.isEmpty() && wordsWidth(out.lines, font) + wordsWidth(out.none, font) + px(16) > width() - px(48);
+    return out;
 }
 
 QPointF Graphics::place(double z, double x) const { return {origin_.x() + (z - centre_.x()) * scale_, origin_.y() - (x - centre_.y()) * scale_}; }
@@ -198,7 +219,7 @@ Graphics::BodyLook Graphics::lookOf(const ShownBody& body) const {
         all |= out.seat;
         if (body.tipKnown && !drawn) out.from = seat, out.to = place(body.tip.z, body.tip.x);
     }
-    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)), seen = all.intersected(area);
+    const QRectF area(px(8), head_->height(), width() - px(16), legend().top() - head_->height()), seen = all.intersected(area);
     if (all.isEmpty() || seen.isEmpty()) return out;
     out.text = nameOf(body);
     if (body.held) out.text += "  " + word("held by protection");
@@ -251,7 +272,7 @@ QRect Graphics::TipLook::pixels() const {
 QRegion Graphics::takeLooks() {
     QRegion out;
     // Names of tips keep clear of each other, those of bodies of all that are there already.
-    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
+    const QRectF area(px(8), head_->height(), width() - px(16), legend().top() - head_->height());
     std::vector<QRectF> taken;
     std::map<unsigned, TipLook> tips;
     for (const auto& [channel, trail] : shown().trails)
@@ -369,6 +390,7 @@ void Graphics::drawStrokes(QPainter& p, const QRectF& area) {
         return label.right() + px(4);
     };
     double next[2] = {0, 0};
+    frames_.clear();
     for (const ShownStroke& stroke : strokes_) {
         const QColor colour = colourOf(stroke.channel);
         for (const auto& [range, forbidden] : stroke.forbidden) {
@@ -380,7 +402,7 @@ void Graphics::drawStrokes(QPainter& p, const QRectF& area) {
             const QRectF seen = box.intersected(area);
             if (!seen.isEmpty()) name(word("Range %1 of L%2").arg(range).arg(stroke.channel), seen.topLeft() + QPointF(px(4), px(4)), colour);
         }
-        const QRectF frame = boxed(stroke.allowed);
+        const QRectF frame = frames_.emplace_back(boxed(stroke.allowed));
         p.setPen(QPen(colour, px(1.4), Qt::DashDotDotLine)), p.setBrush(Qt::NoBrush);
         p.drawRect(frame);
         const QRectF seen = frame.intersected(area);
@@ -412,13 +434,13 @@ void Graphics::drawRoom() {
     drawNames(p, area);
 }
 
-// What the lines mean, at the foot, over everything: bodies may reach down there.
+// At the foot, over everything: bodies may reach down there where somebody has made the picture larger.
 void Graphics::drawNotes(QPainter& p, const QRegion& region) {
     const Theme& t = theme();
+    if (!region.intersects(legend().toAlignedRect())) return;
     const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)), foot = area.adjusted(px(16), 0, -px(16), -px(10));
     const QFont font = lettering(13.5);
     const double high = QFontMetricsF(font).height();
-    if (!region.intersects(QRectF(area.left(), foot.bottom() - 2 * high - px(8), area.width(), 2 * high + px(12)).toAlignedRect())) return;
     QColor paper = t.card;
     paper.setAlpha(225);
     const auto note = [&](const QString& text, const QRectF& box) {
@@ -426,15 +448,11 @@ void Graphics::drawNotes(QPainter& p, const QRegion& region) {
         p.setPen(t.dim), p.setFont(font);
         paintWords(p, box, Qt::AlignLeft | Qt::AlignBottom, text);
     };
-    QString left = word("Solid outline: monitored; dashed: drawn only");
-    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Paths since these screens started; tips drawn as points");   // no room for it on top
-    const QRectF written(foot.left(), foot.bottom() - high, wordsWidth(left, font), high);
-    note(left, written);
-    if (shown().stock.any()) return;
-    const QString none = word("No job names the stock of the running program");
-    const double wide = wordsWidth(none, font);
-    const bool above = foot.right() - wide < written.right() + px(16);   // no room beside it: a line higher
-    note(none, QRectF(foot.right() - wide, foot.bottom() - high - (above ? high + px(2) : 0), wide, high));
+    const Notes notes = this->notes();
+    note(notes.lines, QRectF(foot.left(), foot.bottom() - high, wordsWidth(notes.lines, font), high));
+    if (notes.none.isEmpty()) return;
+    const double wide = wordsWidth(notes.none, font);
+    note(notes.none, QRectF(foot.right() - wide, foot.bottom() - high - (notes.two ? high + px(2) : 0), wide, high));
 }
 
 }  // namespace polyturn::hmi

@@ -7,6 +7,7 @@
 #include "hmi/machine/tool_words.hpp"
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -252,6 +253,14 @@ void HandPage::refresh() {
 
 void HandPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = static_cast<int>(width() * 0.38), right = px(400), state = px(72);
+    if (upright(*this)) {
+        const int below = height() / 2;
+        wheel_->setGeometry(edge, edge, width() / 2 - edge, below - 2 * edge);
+        tools_->setGeometry(width() / 2 + edge, edge, width() / 2 - 2 * edge, below - 2 * edge);
+        state_->setGeometry(edge, below, width() - 2 * edge, state);
+        steps_->setGeometry(edge, below + state + edge, width() - 2 * edge, height() - below - state - 2 * edge);
+        return;
+    }
     wheel_->setGeometry(edge, edge, left, height() - 2 * edge);
     tools_->setGeometry(left + 2 * edge, edge, width() - left - right - 4 * edge, height() - 2 * edge);
     state_->setGeometry(width() - right - edge, edge, right, state);

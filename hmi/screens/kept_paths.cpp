@@ -8,7 +8,7 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr quint32 kMark = 0x50545031;      // PTP1: another layout is another mark
+constexpr quint32 kMark = 0x50545032;      // PTP2: another layout is another mark
 constexpr quint32 kMostOfAList = 1'000'000;
 constexpr qsizetype kPoint = 9;            // bytes: z, x, how
 
@@ -32,7 +32,7 @@ bool readBlock(QDataStream& in, std::deque<TrailPoint>& points) {
     for (const char* at = block.constData(); at != block.constData() + block.size(); at += kPoint) {
         float place[2];
         std::memcpy(place, at, sizeof place);
-        points.push_back({place[0], place[1], (at[8] & 1) != 0, (at[8] & 2) != 0});
+        points.push_back({place[0], place[1], (at[8] & 1) != 0, (at[8] & 2) != 0, {}});
     }
     return true;
 }
@@ -48,8 +48,10 @@ QByteArray KeptPaths::written() const {
         out << static_cast<quint32>(number) << static_cast<quint64>(one.cycles) << one.cycle_s << one.zeroZ << one.zeroKnown;
         writeBlock(out, one.points);
     }
-    out << static_cast<quint32>(radii.size());
-    for (const double radius : radii) out << radius;
+    for (const auto* wall : {&radii, &holes}) {
+        out << static_cast<quint32>(wall->size());
+        for (const double radius : *wall) out << radius;
+    }
     return bytes;
 }
 
@@ -72,9 +74,11 @@ KeptPaths KeptPaths::read(const QByteArray& bytes) {
         if (!readBlock(in, one.points)) return {};
         read.channels.emplace(number, std::move(one));
     }
-    in >> size;
-    if (size > kMostOfAList) return {};
-    for (quint32 k = 0; k < size && in.status() == QDataStream::Ok; ++k) in >> read.radii.emplace_back();
+    for (auto* wall : {&read.radii, &read.holes}) {
+        in >> size;
+        if (size > kMostOfAList) return {};
+        for (quint32 k = 0; k < size && in.status() == QDataStream::Ok; ++k) in >> wall->emplace_back();
+    }
     if (in.status() != QDataStream::Ok) return {};
     read.machineRun = run, read.program = program.toStdString();
     return read;

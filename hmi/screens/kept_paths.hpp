@@ -22,7 +22,7 @@ struct KeptPaths {
     std::uint64_t machineRun = 0;          // 0: there are none
     std::string program;
     std::map<unsigned, Channel> channels;
-    std::vector<double> radii;
+    std::vector<double> radii, holes;
 
     QByteArray written() const;
     static KeptPaths read(const QByteArray& bytes);   // of what is no such thing: none

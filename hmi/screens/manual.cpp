@@ -6,6 +6,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/start_words.hpp"
 
 namespace polyturn::hmi {
@@ -146,11 +147,13 @@ void Manual::showHand(bool on) {
 void Manual::layOut() {
     const int side = px(390), edge = px(8);
     const int keyboard = typing_ ? px(300) : 0;   // beneath the axes, while a block is entered
-    axes_->setGeometry(edge, edge, width() - side - 3 * edge, height() - 2 * edge - keyboard);
-    pad_->setGeometry(edge, height() - keyboard, width() - side - 3 * edge, std::max(0, keyboard - edge));
+    const Parted all = parted(*this, rect().adjusted(edge, edge, -edge, -edge), side, px(610), edge);
+    const bool stands = upright(*this);            // there the keys take the place of the axes, right above what is typed
+    axes_->setGeometry(all.main.adjusted(0, 0, 0, stands ? 0 : -keyboard));
+    pad_->setGeometry(all.main.left(), stands ? all.main.bottom() + 1 - keyboard : height() - keyboard, all.main.width(), std::max(0, keyboard - edge));
     hand_->setGeometry(0, 0, width(), height());
-    hand_->setVisible(handShown_), axes_->setVisible(!handShown_), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
-    side_->setGeometry(width() - side - edge, edge, side, height() - 2 * edge);
+    hand_->setVisible(handShown_), axes_->setVisible(!handShown_ && !(stands && typing_)), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
+    side_->setGeometry(all.side);
     for (Sheet* one : sheets()) one->refresh();
 }
 

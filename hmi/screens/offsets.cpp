@@ -9,6 +9,7 @@
 #include "hmi/screens/channel_keys.hpp"
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::hmi {
@@ -52,6 +53,14 @@ QString Offsets::Value::unitText() const { return angle ? QString(QChar(0xB0)) :
 
 Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)), parts_(new PartsPage(desk, this)) {
     parts_->hide();
+    undo_.present = [this](const Value& value) { return presentOf(value); };
+    undo_.same = [](double a, double b) { return std::abs(a - b) <= 5e-7; };
+    undo_.putBack = [this](const Undo::Change& change) {
+        Value value = change.where;
+        value.present = presentOf(value);
+        put(value, change.old, true);
+    };
+    undo_.keep = [this](const Undo::Change& change, double there) { desk_.tell(word("%1 is %2 by now: it stays").arg(change.where.title, change.where.text(there)), Told::Refused); };
     setFocusPolicy(Qt::StrongFocus);
     table_->byCell = true;
     table_->rowUnits = 34;
@@ -202,7 +211,6 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
     const Live& live = desk_.live;
     if (!live.connected() || built_ != desk_.channel || column < 1 || column >= static_cast<int>(table_->columns.size()) || row < 0 || row >= table_->rows()) return std::nullopt;
     const unsigned channel = desk_.channel;
-    const ChannelStore& store = live.store(channel);
     Value out;
     if (zeros_) {
         const ChannelConfig& config = live.config().channel(channel);
@@ -213,7 +221,8 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
         const QString name = QString::fromStdString(work_zero_name(zero)), axisName = fromView(axis.name_text());
         out.words = QString("zero L%1 %2 %3").arg(channel).arg(name, axisName);
         out.title = QString("L%1  %2  %3").arg(channel).arg(zeroTitle(name), axisName);
-        out.present = store.zeros[zero * kChannelAxes + static_cast<std::size_t>(out.place)];
+        out.channel = channel, out.zero = true, out.row = zero;
+        out.present = presentOf(out);
         out.unit = live.unit(axis), out.decimals = out.unit.decimals;
         out.angle = axis.rotary, out.diameter = axis.diameter && !axis.rotary;
         return out;
@@ -236,7 +245,8 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
     out.words = QString("offset L%1 %2 %3 %4").arg(channel).arg(row + 1).arg(wear ? "wear" : "geometry").arg(letter);
     const QString column_title = letter == 'R' ? (wear ? word("Wear R") : word("Radius")) : letter == 'T' ? word("Tip") : QString("%1 %2").arg(wear ? word("Wear") : word("Geom.")).arg(letter);
     out.title = QString("L%1  %2 %3  %4").arg(channel).arg(word("Offset")).arg(row + 1).arg(column_title);
-    out.present = cellValue(store.offsets[static_cast<std::size_t>(row) + 1], field);
+    out.channel = channel, out.row = static_cast<std::size_t>(row) + 1, out.field = field;
+    out.present = presentOf(out);
     if (letter == 'T') out.decimals = 0, out.unit = {};
     out.place = letter == 'R' || letter == 'T' ? -1 : placeOf(live, channel, letter);
     out.diameter = out.place >= 0 && inDiameter(live, channel, letter);
@@ -270,9 +280,10 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
 
 void Offsets::put(const Value& value, double now, bool undone) {
     const double old = value.present;
+    undo_.asked();
     const auto done = [this, value, old, now, undone](const Answer& answer) {
-        if (!answer.ok) return;   // told already
-        changes_.push_back({QDateTime::currentDateTime(), value, old, now, undone});
+        if (!answer.ok) return undo_.refused();   // told already
+        undone ? undo_.takenBack({value, old, now}) : undo_.entered({value, old, now});
         desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(old), value.text(now)), Told::Good);
         askHistory(), refresh();
     };
@@ -295,10 +306,10 @@ void Offsets::askStore(const Value& value, QJsonObject request, const std::funct
 
 // An operation of the store has entered it: what it says counts.
 void Offsets::entered(const Value& value, const Answer& answer) {
-    if (!answer.ok) return;
-    const double now = answer.object.value("new").toDouble();
-    changes_.push_back({QDateTime::currentDateTime(), value, answer.object.contains("old") ? answer.object.value("old").toDouble() : value.present, now, false});
-    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(changes_.back().old), value.text(now)), Told::Good);
+    if (!answer.ok) return undo_.refused();
+    const double now = answer.object.value("new").toDouble(), old = answer.object.contains("old") ? answer.object.value("old").toDouble() : value.present;
+    undo_.entered({value, old, now});
+    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(old), value.text(now)), Told::Good);
     askHistory(), refresh();
 }
 
@@ -341,6 +352,7 @@ void Offsets::relativeInput() {
     if (!value || zeros_ || value->place < 0) return;
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[static_cast<std::size_t>(value->place)]);
     const char* const field = axis.role == PlaneRole::BasicX ? "X" : axis.role == PlaneRole::BasicY ? "Y" : "Z";
+    undo_.asked();
     askStore(*value, {{"do", "offsets.relative"}, {"table", value->wear() ? "wear" : "geometry"}, {"field", field}}, [this, value = *value](const Answer& answer) { entered(value, answer); });
 }
 
@@ -376,32 +388,11 @@ void Offsets::askHistory() {
     }, true);
 }
 
-// The newest change that has not been taken back; nullptr: there is none.
-const Offsets::Change* Offsets::newest() const {
-    const auto found = std::find_if(changes_.rbegin(), changes_.rend(), [](const Change& one) { return !one.undone; });
-    return found == changes_.rend() ? nullptr : &*found;
-}
-
 // What stands there now, whichever table is shown.
 double Offsets::presentOf(const Value& value) const {
     if (value.ofEdge()) return edgeValue(desk_.live, value.edge, value.dp);
-    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
-    const ChannelStore& store = desk_.live.store(words[1].mid(1).toUInt());
-    if (words[0] == "zero") return store.zeros[work_zero_row(words[2].toStdString()).value_or(0) * kChannelAxes + static_cast<std::size_t>(value.place)];
-    const char letter = words[4][0].toLatin1();
-    return cellValue(store.offsets[words[2].toUInt()], static_cast<char>(words[3] == "wear" ? letter + 32 : letter));
-}
-
-// Somebody else may have changed it since (a measuring cycle, the wear of a part, another panel): that is not taken back.
-void Offsets::undo() {
-    const Change* found = newest();
-    if (!found) return;
-    Change& change = changes_[static_cast<std::size_t>(found - changes_.data())];
-    change.undone = true;
-    Value value = change.value;
-    value.present = presentOf(value);
-    if (std::abs(value.present - change.now) > 5e-7) return desk_.tell(word("%1 is %2 by now: it stays").arg(value.title, value.text(value.present)), Told::Refused);
-    put(value, change.old, true);
+    const ChannelStore& store = desk_.live.store(value.channel);
+    return value.zero ? store.zeros[value.row * kChannelAxes + static_cast<std::size_t>(value.place)] : cellValue(store.offsets[value.row], value.field);
 }
 
 void Offsets::enter(bool added) { pad_->enter(added); }
@@ -449,9 +440,9 @@ void Offsets::resizeEvent(QResizeEvent*) { layOut(); }
 void Offsets::layOut() {
     const int top = px(46), edge = px(8), side = px(330), pad = px(380);
     head_->setGeometry(0, 0, width(), top);
-    table_->setGeometry(edge, top, width() - side - 3 * edge, height() - top - edge);
-    side_->setGeometry(width() - side - edge, top, side, height() - top - pad - 2 * edge);
-    pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), side, px(400), edge);
+    const Padded right = padded(*this, all.side, px(346), pad, edge);
+    table_->setGeometry(all.main), side_->setGeometry(right.rest), pad_->setGeometry(right.pad);
     parts_->setGeometry(0, top, width(), height() - top);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -498,6 +489,7 @@ void Offsets::composeSide(Writer& w) {
 }
 
 void Offsets::refresh() {
+    undo_.goOn();
     if (built_ != desk_.channel || edged_ != usesEdges(desk_.live, desk_.channel)) build();
     else if (byEdges() && edgesOf_ != desk_.live.toolsVersion()) takeEdges();
     if (partsShown_) return head_->refresh(), parts_->refresh();
@@ -507,7 +499,7 @@ void Offsets::refresh() {
 std::vector<SoftKey> Offsets::keys() {
     const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen().has_value();
     const auto value = chosen();
-    const Change* last = newest();
+    const Undo::Change* last = undo_.newest();
     const bool empty = pad_->text().isEmpty(), placed = value.has_value() && value->place >= 0;
     std::vector<SoftKey> keys{{edged_ ? word("Tool edges") : word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
                               {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
@@ -529,7 +521,7 @@ std::vector<SoftKey> Offsets::keys() {
         keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
         keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && !value->wear(), false, false, word("Tip is at this measure: press again"), {}, subject, object});
-    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, last != nullptr, false, false, {}, {}, {}, last ? brief(last->value.words.split(' ')) : QString()});
+    keys.push_back({word("Undo"), [this] { undo_.undo(); }, Sign::Undo, last != nullptr, false, false, {}, {}, {}, last ? brief(last->where.words.split(' ')) : QString()});
     if (byEdges()) keys.push_back({word("New edge"), [this] { newEdge(); }, Sign::None, desk_.live.connected() && value.has_value()});
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")

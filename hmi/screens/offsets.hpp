@@ -3,6 +3,7 @@
 // A channel that speaks sinumerik has no numbered offsets: in their place are the edges of its tools.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/changes.hpp"
 #include "hmi/machine/edge_words.hpp"
 #include "hmi/screens/parts_page.hpp"
 #include "hmi/widgets/number_pad.hpp"
@@ -53,21 +54,19 @@ private:
         bool wear() const { return ofEdge() ? is_edge_wear(dp) : words.contains(" wear "); }
         QString text(double held) const;
         QString unitText() const;
+        // Where it stands in the store: the row of the zeros, or the number of the offset and the letter of its field, wear in lower case.
+        unsigned channel = 0;
+        bool zero = false;
+        std::size_t row = 0;
+        char field = 0;
     };
-    struct Change {
-        QDateTime when;
-        Value value;
-        double old = 0, now = 0;
-        bool undone = false;
-    };
+    using Undo = Changes<Value, double>;
     void layOut();
     void build();
     void composeSide(Writer& w);
     std::optional<Value> valueAt(int row, int column) const;
     std::optional<Value> chosen() const { return valueAt(table_->row(), table_->column()); }
     void put(const Value& value, double now, bool undo = false);
-    void undo();
-    const Change* newest() const;
     double presentOf(const Value& value) const;
     void measure();
     void zeroHere();
@@ -96,7 +95,7 @@ private:
     std::vector<std::size_t> zeroRows_;
     std::vector<char> fields_;                 // letter of each column of offsets: X Z R T, wear in lower case
     std::vector<int> parameters_;              // $TC_DPx of each column of edges
-    std::vector<Change> changes_;
+    Undo undo_;
     QString historyOf_;
     QStringList history_;          // of the chosen value, as lines
 };

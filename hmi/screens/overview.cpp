@@ -7,6 +7,7 @@
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/channel_card.hpp"
 #include "hmi/screens/operation_keys.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 
@@ -43,22 +44,22 @@ void Overview::resizeEvent(QResizeEvent*) { layOut(); }
 void Overview::layOut() {
     empty_->setGeometry(rect());
     std::vector<FreeSheet*> grid = cards_;
-    int from = 0;
+    int from = 0, above = 0;   // what the large card takes of it
     laidFor_ = desk_.channel;
     const auto& all = desk_.live.channels();
     if (const auto here = std::find(all.begin(), all.end(), desk_.channel); enlarged_ && canEnlarge() && here != all.end() && all.size() == cards_.size()) {
         FreeSheet* const big = cards_[static_cast<std::size_t>(here - all.begin())];
         grid.erase(std::find(grid.begin(), grid.end(), big));
-        from = width() * 46 / 100;
-        big->setGeometry(0, 0, from, height());
+        if (upright(*this)) above = height() * 46 / 100, big->setGeometry(0, 0, width(), above);
+        else from = width() * 46 / 100, big->setGeometry(0, 0, from, height());
         big->refresh();
     }
     const int count = static_cast<int>(grid.size()), room = width() - from;
     if (!count) return;
-    const int columns = from ? (count <= 4 ? 1 : count <= 8 ? 2 : 3) : count <= 4 ? count : (count + (count + 3) / 4 - 1) / ((count + 3) / 4), rows = (count + columns - 1) / columns;
+    const int columns = upright(*this) ? (count <= 2 ? 1 : count <= 8 ? 2 : 3) : from ? (count <= 4 ? 1 : count <= 8 ? 2 : 3) : count <= 4 ? count : (count + (count + 3) / 4 - 1) / ((count + 3) / 4), rows = (count + columns - 1) / columns;
     for (int i = 0; i < count; ++i) {
         const int left = from + room * (i % columns) / columns, right = from + room * (i % columns + 1) / columns;
-        const int top = height() * (i / columns) / rows, bottom = height() * (i / columns + 1) / rows;
+        const int top = above + (height() - above) * (i / columns) / rows, bottom = above + (height() - above) * (i / columns + 1) / rows;
         grid[static_cast<std::size_t>(i)]->setGeometry(left, top, right - left, bottom - top);
         grid[static_cast<std::size_t>(i)]->refresh();
     }

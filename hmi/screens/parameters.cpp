@@ -11,6 +11,7 @@
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
+#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/tongue.hpp"
 #include "ipc/params/unit.hpp"
@@ -75,6 +76,10 @@ QString bothMeanings(const QString& told) {
 Parameters::Parameters(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), groups_(new Table(this)), table_(new Table(this)), pad_(new NumberPad(this)), compensation_(new CompensationPage(desk, this)) {
     compensation_->hide();
+    undo_.present = [this](const Line& line) { return contentOf(line); };
+    undo_.same = [](const Content& a, const Content& b) { return a.words ? a.text.trimmed() == b.text.trimmed() : std::abs(a.number - b.number) <= 1e-9 * std::max({1.0, std::abs(a.number), std::abs(b.number)}); };
+    undo_.putBack = [this](const Undo::Change& change) { put(change.where, change.old, true); };
+    undo_.keep = [this](const Undo::Change& change, const Content& there) { desk_.tell(word("%1 is %2 by now: it stays").arg(target(change.where), there.text), Told::Refused); };
     setFocusPolicy(Qt::StrongFocus);
     names_ = {QString()}, titles_ = {word("All groups")};
     for (const params::Row& row : params::rows()) {
@@ -322,7 +327,7 @@ QString Parameters::target(const Line& line) const {
 
 void Parameters::put(const Line& line, double now) {
     const bool digits = line.row->type == params::Type::Bits && now >= 0 && now <= 255;   // else the control says what is allowed
-    put(line, digits ? bitDigits(static_cast<unsigned>(now)) : line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
+    put(line, Content{now, digits ? bitDigits(static_cast<unsigned>(now)) : line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now))});
 }
 
 void Parameters::turnBit(const Line& line, unsigned bit) {
@@ -339,31 +344,21 @@ void Parameters::nextBit(const params::Row& row, int step) {
     detail_->refresh();
 }
 
-void Parameters::put(const Line& line, const QString& written) {
-    const QString where = target(line), old = textIn(desk_.live.table(), line);
-    desk_.requests.parameter(where + "=" + written, [this, where, old, written](const Answer& answer) {
-        if (!answer.ok) return;
-        changes_.push_back({where, old, written});
-        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(where, old, written), Told::Good);
+Parameters::Content Parameters::contentOf(const Line& line) const { return {value(line), textIn(desk_.live.table(), line), line.row->type == params::Type::Text}; }
+
+void Parameters::put(const Line& line, const Content& now, bool undone) {
+    undo_.asked();
+    desk_.requests.parameter(target(line) + "=" + now.text, [this, change = Undo::Change{line, contentOf(line), now}, undone](const Answer& answer) {
+        if (!answer.ok) return undo_.refused();
+        undone ? undo_.takenBack(change) : undo_.entered(change);
+        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(target(change.where), change.old.text, change.now.text), Told::Good);
         refresh();
     });
 }
 
 void Parameters::askText(const Line& line) {
     if (!desk_.live.connected() || line.row->type != params::Type::Text) return;
-    desk_.ask({target(line), QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), {}, [this, line](const QString& text) { put(line, text); }});
-}
-
-void Parameters::undo() {
-    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
-        if (change->undone) continue;
-        change->undone = true;
-        const Change taken = *change;
-        desk_.requests.parameter(taken.target + "=" + taken.old, [this, taken](const Answer& answer) {
-            if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(taken.target, taken.now, taken.old), Told::Good), refresh();
-        });
-        return;
-    }
+    desk_.ask({target(line), QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), {}, [this, line](const QString& text) { put(line, Content{0, text, true}); }});
 }
 
 void Parameters::resizeEvent(QResizeEvent*) { layOut(); }
@@ -371,16 +366,19 @@ void Parameters::resizeEvent(QResizeEvent*) { layOut(); }
 void Parameters::layOut() {
     const int top = px(46), edge = px(8), groups = px(190), side = px(330), pad = px(346);
     head_->setGeometry(0, 0, width(), top);
-    groups_->setGeometry(edge, top, groups, height() - top - edge);
+    const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), side, px(420), edge);
+    groups_->setGeometry(QRect(all.main.topLeft(), QSize(groups, all.main.height())));
     const bool list = page_ == Page::List;
     bits_ = bitsLook();
     // Bits keep their room while a number is typed: the keys come beneath the list.
     const bool beneath = bits_ == Bits::Typed;
-    const QRect middle(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge - (beneath ? pad + edge : 0));
+    const bool stacked = upright(*this);
+    const Padded below = padded(*this, all.side, px(346), pad, edge);
+    const QRect middle = all.main.adjusted(groups + edge, 0, 0, beneath && !stacked ? -pad - edge : 0);
     if (list) table_->setGeometry(middle);
     else table_->setGeometry(edge, top, width() - 2 * edge, height() - top - edge);
-    detail_->setGeometry(width() - side - edge, top, side, height() - top - edge - (bits_ == Bits::None ? pad + edge : 0));
-    pad_->setGeometry(beneath ? middle.right() + 1 - side : width() - side - edge, height() - pad - edge, side, pad);
+    detail_->setGeometry(bits_ == Bits::None || (beneath && stacked) ? below.rest : all.side);
+    pad_->setGeometry(beneath && !stacked ? QRect(middle.right() + 1 - side, height() - pad - edge, side, pad) : below.pad);
     compensation_->setGeometry(0, top, width(), height() - top);
     groups_->setVisible(list), detail_->setVisible(list), pad_->setVisible(list && bits_ != Bits::Alone);
     table_->setVisible(page_ != Page::Compensation), compensation_->setVisible(page_ == Page::Compensation);
@@ -459,6 +457,7 @@ void Parameters::composeDetail(Writer& w) {
 
 void Parameters::refresh() {
     takeFile();
+    undo_.goOn();
     if (page_ == Page::Compensation) return head_->refresh(), compensation_->refresh();
     if (page_ == Page::History && !historyAll_ && !historyAsked_ && !history_.isEmpty() && table_->row() + table_->visibleRows() >= history_.size()) askHistory();
     if (page_ == Page::List && bitsLook() != bits_) layOut();
@@ -468,8 +467,7 @@ void Parameters::refresh() {
 
 std::vector<SoftKey> Parameters::keys() {
     const bool ready = desk_.live.connected() && pad_->ready() && chosen() && chosen()->row->type != params::Type::Text;
-    bool any = false;
-    for (const Change& change : changes_) any |= !change.undone;
+    const Undo::Change* last = undo_.newest();
     const Line* line = chosen();
     std::vector<SoftKey> keys{{word("Search"), [this] { searching_ = !searching_, head_->refresh(); }, Sign::None, true, searching_},
                               {word("Clear search"), [this] { search_.clear(), searching_ = false, search(); }, Sign::None, !search_.isEmpty()},
@@ -479,7 +477,7 @@ std::vector<SoftKey> Parameters::keys() {
                               {word("+ Input"), [this] { pad_->enter(true); }, Sign::None, ready},
                               {word("Default value"), [this] { if (const Line* now = chosen()) put(*now, now->row->default_number(now->element)); }, Sign::None,
                                line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again"), {}, line ? target(*line) : QString(), line ? target(*line) : QString()},
-                              {word("Undo"), [this] { undo(); }, Sign::Left, any}};
+                              {word("Undo"), [this] { undo_.undo(); }, Sign::Undo, last != nullptr, false, false, {}, {}, {}, last ? target(last->where) : QString()}};
     if (page_ != Page::List) keys.assign(8, {});
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(page_ == wanted ? Page::List : wanted); }, page_ == wanted ? Sign::Left : Sign::None, desk_.live.connected(), page_ == wanted}; };
     keys.push_back(page(Page::History, word("History")));

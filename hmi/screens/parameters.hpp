@@ -6,6 +6,7 @@
 
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
+#include "hmi/machine/changes.hpp"
 #include "hmi/screens/compensation_page.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
@@ -73,15 +74,16 @@ private:
     void put(const Line& line, double now);
     void turnBit(const Line& line, unsigned bit);
     void nextBit(const params::Row& row, int step);
-    void put(const Line& line, const QString& written);
-    void askText(const Line& line);
-    void undo();
-
-    struct Change {
-        QString target;
-        QString old, now;
-        bool undone = false;
+    // What stands there, or is to: numbers are compared as numbers, whatever they are written like.
+    struct Content {
+        double number = 0;
+        QString text;
+        bool words = false;            // a parameter of text
     };
+    using Undo = Changes<Line, Content>;
+    Content contentOf(const Line& line) const;
+    void put(const Line& line, const Content& now, bool undone = false);
+    void askText(const Line& line);
     FreeSheet *head_, *detail_;
     Table *groups_, *table_;
     NumberPad* pad_;
@@ -106,7 +108,7 @@ private:
     bool historyAsked_ = false, historyAll_ = false;
     void askHistory();
     std::vector<Line> lines_;
-    std::vector<Change> changes_;
+    Undo undo_;
 };
 
 }  // namespace polyturn::hmi

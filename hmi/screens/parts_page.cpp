@@ -8,6 +8,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/tool_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -88,9 +89,9 @@ const QJsonObject* PartsPage::chosen() const {
 
 void PartsPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), right = px(330), pad = px(346);
-    table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - edge);
-    curve_->setGeometry(width() - right - edge, 0, right, height() - pad - 2 * edge);
-    pad_->setGeometry(width() - right - edge, height() - pad - edge, right, pad);
+    const Parted all = parted(*this, rect().adjusted(edge, 0, -edge, -edge), right, px(400), edge);
+    const Padded beside = padded(*this, all.side, px(346), pad, edge);
+    table_->setGeometry(all.main), curve_->setGeometry(beside.rest), pad_->setGeometry(beside.pad);
 }
 
 void PartsPage::look() {

@@ -14,6 +14,7 @@
 #include "hmi/machine/edge_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -210,6 +211,15 @@ void PresetterPage::setPin(const QString& kept) {
 
 void PresetterPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = px(270), right = px(340), pad = px(350);
+    if (upright(*this)) {
+        const int result = px(206), below = height() - pad - edge, wide = width() - right - 3 * edge;
+        files_->setGeometry(edge, 0, left, below - edge);
+        room_ = QRect(left + 2 * edge, 0, width() - left - 3 * edge, below - edge);
+        result_->setGeometry(edge, below, wide, result);
+        values_->setGeometry(edge, below + result + edge, wide, pad - result - edge);
+        pad_->setGeometry(width() - right - edge, below, right, pad);
+        return;
+    }
     files_->setGeometry(edge, 0, left, height() - edge);
     const int middle = width() - left - right - 4 * edge, result = px(206);
     room_ = QRect(left + 2 * edge, 0, middle, height() - result - 2 * edge);

@@ -22,7 +22,7 @@ const std::vector<ColourRule>& colourRules() {
         std::vector<ColourRule> out;
         const auto add = [&](const char* pattern, QColor Theme::*colour, bool bold) { out.push_back({QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption), colour, bold}); };
         add("(?:^|(?<=[\\sA-Z0-9.]))[+-]?\\d*\\.?\\d+", &Theme::text, false);
-        add("\\b(?:IF|GOTO|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", &Theme::wait, true);
+        add("\\b(?:IF|GOTO[FBCS]?|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", &Theme::wait, true);
         add("(?:#\\d+|#\\[|\\bR\\d+\\s*(?==)|\\$[A-Z_]+\\w*|\\bP\\d+\\s*(?==))", &Theme::wait, false);
         add("(?:^|(?<=[^A-Z_$]))G\\s*\\d+(?:\\.\\d+)?", &Theme::accent, true);
         add("(?:^|(?<=[^A-Z_$]))M\\s*\\d+", &Theme::good, true);
@@ -60,14 +60,18 @@ void ProgramColours::highlightBlock(const QString& text) {
             setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), format);
         }
     }
-    QTextCharFormat comment;
+    QTextCharFormat comment, tool;
     comment.setForeground(t.faint);
     comment.setFontItalic(true);
-    static const QRegularExpression kSemicolon(";.*$|\"[^\"]*\""), kBrackets("\\([^)]*\\)?");
+    tool.setForeground(t.warn);
+    // From left to right: a semicolon in a text begins no comment. A text that names a tool is read as its number is.
+    static const QRegularExpression kSemicolon("\"[^\"]*\"|;.*$"), kBrackets("\\([^)]*\\)?"), kTool("\\bT\\d*\\s*=\\s*$", QRegularExpression::CaseInsensitiveOption);
     const QRegularExpression& quiet = language_ == "sinumerik" || language_ == "fagor" ? kSemicolon : kBrackets;
     for (auto found = quiet.globalMatch(text); found.hasNext();) {
         const auto one = found.next();
-        setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), comment);
+        const auto from = static_cast<int>(one.capturedStart()), length = static_cast<int>(one.capturedLength());
+        if (const auto named = kTool.match(text.left(from)); named.hasMatch() && text[from] == '"') setFormat(static_cast<int>(named.capturedStart()), from + length - static_cast<int>(named.capturedStart()), tool);
+        else setFormat(from, length, comment);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -166,9 +167,11 @@ void RestartPage::restart() {
 
 void RestartPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), right = px(340), foot = px(130), pad = px(380);
-    table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - foot - 2 * edge);
-    note_->setGeometry(edge, height() - foot - edge, width() - right - 3 * edge, foot);
-    pad_->setGeometry(width() - right - edge, 0, right, pad);
+    const Parted all = parted(*this, rect().adjusted(edge, 0, -edge, -edge), right, pad, edge);
+    const bool stacked = upright(*this);
+    table_->setGeometry(all.main.adjusted(0, 0, 0, stacked ? 0 : -foot - edge));
+    note_->setGeometry(edge, stacked ? all.side.top() : height() - foot - edge, (stacked ? all.side.width() - right - edge : all.main.width()), stacked ? pad : foot);
+    pad_->setGeometry(all.side.right() + 1 - right, all.side.top(), right, pad);
 }
 
 void RestartPage::refresh() {

@@ -12,6 +12,7 @@
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
+#include "hmi/widgets/upright.hpp"
 #include "ipc/image/signal_tongue.hpp"
 
 namespace polyturn::hmi {
@@ -177,6 +178,12 @@ void ScopePage::choose(const QString& words) {
     if (desk_.keysChanged) desk_.keysChanged();
 }
 
+bool ScopePage::choseCircle() const {
+    const auto is = [&](std::size_t trace, ScopeKind kind) { return static_cast<ScopeKind>(choice_.kind[trace]) == kind; };
+    return is(0, ScopeKind::AxisCommanded) && is(1, ScopeKind::AxisCommanded) && is(2, ScopeKind::AxisMeasured) && is(3, ScopeKind::AxisMeasured) && choice_.object[0] == choice_.object[2] &&
+           choice_.object[1] == choice_.object[3] && choice_.object[0] != choice_.object[1];
+}
+
 void ScopePage::setCircle() {
     const Live& live = desk_.live;
     const AxisConfig *x = find_axis(live.config(), desk_.channel, PlaneRole::BasicX), *z = find_axis(live.config(), desk_.channel, PlaneRole::BasicZ);
@@ -187,7 +194,7 @@ void ScopePage::setCircle() {
 }
 
 void ScopePage::showCircle(bool on) {
-    circle_ = on, choosing_ = level_ = false;
+    circle_ = on, choosing_ = level_ = judged_ = false;
     layOut();
     refresh();
     if (desk_.keysChanged) desk_.keysChanged();
@@ -212,7 +219,11 @@ void ScopePage::follow() {
     if (!isVisible()) return;
     const qint64 time = QDateTime::currentMSecsSinceEpoch();
     if (!circle_) return update(room_);
-    if (auto judged = judging_.take(); judged && *judged) round_ = std::move(*judged), update(room_);
+    if (auto judged = judging_.take()) {
+        judged_ = true;
+        if (*judged) round_ = std::move(*judged), update(room_);
+    }
+    if (!choseCircle()) return void(judged_ = true);   // of other signals nobody can say how round they are
     if (judging_.busy() || time < roundMs_ + kRoundMs) return;
     roundMs_ = time;
     judging_.start([samples = record_.samples()](const std::atomic<bool>&) { return roundnessOf(samples); }, 0);   // a minute of ticks is too long for a frame
@@ -264,10 +275,11 @@ void ScopePage::resizeEvent(QResizeEvent*) { layOut(); }
 void ScopePage::layOut() {
     const int edge = px(8), head = px(36), table = px(30) + static_cast<int>(kScopeTraces) * px(26) + px(2);
     note_->setGeometry(edge, 0, width() - 2 * edge, head);
-    traces_->setGeometry(edge, height() - table - edge, width() - 2 * edge - (level_ ? px(346) : 0), table);
+    const bool stands = upright(*this);            // the pad stands beside the graph alone there
+    traces_->setGeometry(edge, height() - table - edge, width() - 2 * edge - (level_ && !stands ? px(346) : 0), table);
     room_ = QRect(edge, head, width() - 2 * edge - (level_ ? px(346) : 0), height() - head - table - 2 * edge);
     chooser_->setGeometry(edge, head, width() - 2 * edge, height() - head - edge);
-    pad_->setGeometry(width() - px(340) - edge, head, px(340), height() - head - edge);
+    pad_->setGeometry(width() - px(340) - edge, head, px(340), height() - head - edge - (stands ? table + edge : 0));
     chooser_->setVisible(choosing_), traces_->setVisible(!choosing_ && !circle_), pad_->setVisible(level_ && !choosing_);
     if (circle_) room_ = QRect(edge, head, width() - 2 * edge, height() - head - edge);
     update();
@@ -319,14 +331,14 @@ void ScopePage::showLevel(bool on) { level_ = on, layOut(); }
 void ScopePage::paintCircle(QPainter& p) {
     const Theme& t = theme();
     const QRectF box = QRectF(room_).adjusted(px(12), px(12), -px(12), -px(12));
-    if (!round_) {
+    if (!round_ || !choseCircle()) {
         p.setPen(t.dim), p.setFont(lettering(16));
-        paintWords(p, box, Qt::AlignCenter | Qt::TextWordWrap, word("No circle has been driven since the record began: drive at least three quarters of one in L%1").arg(desk_.channel));
+        paintWords(p, box, Qt::AlignCenter | Qt::TextWordWrap, !choseCircle() ? word("The scope records other signals: «Axes of L%1» chooses the axes of a circle").arg(desk_.channel) : word("No circle has been driven since the record began: drive at least three quarters of one in L%1").arg(desk_.channel));
         return;
     }
     const double radius = std::min(box.width() * 0.6, box.height()) * 0.40, greatest = std::max({std::abs(round_->most), std::abs(round_->least), 1e-7}), enlarged = radius / 6 / greatest;
     const QPointF middle(box.left() + box.width() * 0.34, box.center().y());
-    p.setPen(QPen(t.edge, 1, Qt::DotLine));
+    p.setPen(QPen(t.dim, 1, Qt::DotLine));
     for (const double ring : {-1.0, -0.5, 0.5, 1.0}) p.drawEllipse(middle, radius + ring * radius / 6, radius + ring * radius / 6);
     p.drawLine(middle - QPointF(radius * 1.2, 0), middle + QPointF(radius * 1.2, 0)), p.drawLine(middle - QPointF(0, radius * 1.2), middle + QPointF(0, radius * 1.2));
     p.setPen(QPen(t.dim, px(1.5)));
@@ -341,6 +353,10 @@ void ScopePage::paintCircle(QPainter& p) {
     }
     p.setPen(QPen(t.accent, px(2)));
     p.drawPolyline(line);
+    const auto axisOf = [&](std::size_t trace) { return QString("A%1 %2").arg(choice_.object[trace]).arg(fromView(desk_.live.config().axis(choice_.object[trace]).name_text())); };
+    p.setPen(t.dim), p.setFont(lettering(13.5, true));
+    paintWords(p, QRectF(middle.x() + radius * 1.2 + px(4), middle.y() - px(11), px(70), px(22)), Qt::AlignLeft | Qt::AlignVCenter, axisOf(1));
+    paintWords(p, QRectF(middle.x() + px(6), middle.y() - radius * 1.2 - px(4), px(70), px(22)), Qt::AlignLeft | Qt::AlignVCenter, axisOf(0));
     double y = box.top() + px(30);
     const auto row = [&](const QString& title, const QString& value, const QColor& colour) {
         p.setPen(t.dim), p.setFont(lettering(15));

@@ -20,6 +20,7 @@ public:
     std::vector<SoftKey> keys(std::function<void()> back);
     std::vector<Sheet*> sheets();
     bool circle() const { return circle_; }
+    bool judging() const { return circle_ && !judged_ && !record_.samples().empty(); }   // nothing has been said yet of what was driven
     void showCircle(bool on);
     const ScopeRecord& record() const { return record_; }
     Table& traces() { return *traces_; }
@@ -47,6 +48,7 @@ private:
     void choose(const QString& words);
     void takeValues();                 // of the table
     void paintCircle(QPainter& p);
+    bool choseCircle() const;          // traces 1 to 4 are two axes, commanded and measured
     void setCircle();                  // traces 1 to 4 become those of the channel's two axes
     void save();
     void takeExport();
@@ -60,7 +62,7 @@ private:
     ScopeRecord record_;
     ScopeChoice choice_{};
     std::uint64_t next_ = 0;
-    bool choosing_ = false, circle_ = false, missed_ = false, level_ = false;
+    bool choosing_ = false, circle_ = false, judged_ = false, missed_ = false, level_ = false;
     QString search_, exported_, exporting_;
     Aside<FileOutcome> writing_;
     std::vector<Choice> all_, found_;

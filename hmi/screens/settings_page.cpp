@@ -2,6 +2,8 @@
 
 #include <QDateTime>
 
+#include "hmi/widgets/upright.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -51,6 +53,8 @@ const ComputerSetting* SettingsPage::chosen() const {
 
 void SettingsPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), foot = px(64);
+    const bool stands = upright(*this);            // what is said of a value wants the room there
+    table_->columns = {{word("Number"), 0.8}, {word("Setting"), 2.4}, {word("Value"), stands ? 1.4 : 2.2}, {"", stands ? 5.4 : 4.4}};
     table_->setGeometry(edge, 0, width() - 2 * edge, height() - foot - 2 * edge);
     note_->setGeometry(edge, height() - foot - edge, width() - 2 * edge, foot);
 }

@@ -6,6 +6,7 @@
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/time_shape.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -56,8 +57,8 @@ QString StopsPage::title() const { return word("Log of stops"); }
 
 void StopsPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), right = px(440);
-    table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - edge);
-    picture_->setGeometry(width() - right - edge, 0, right, height() - edge);
+    const Parted all = parted(*this, rect().adjusted(edge, 0, -edge, -edge), right, height() / 2, edge);
+    table_->setGeometry(all.main), picture_->setGeometry(all.side);
 }
 
 void StopsPage::refresh() {

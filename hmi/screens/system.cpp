@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -202,10 +203,10 @@ void System::layOut() {
     const int top = px(46), edge = px(8), half = static_cast<int>(width() * 0.42), pad = px(330);
     head_->setGeometry(0, 0, width(), top);
     settings_->setGeometry(0, top, width(), height() - top);
-    files_->setGeometry(edge, top, half - edge, height() - top - edge);
-    right_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - edge);
-    form_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - pad - 2 * edge);
-    pad_->setGeometry(half + edge, height() - pad - edge, width() - half - 2 * edge, pad);
+    const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), width() - half - 2 * edge, (height() - top) * 64 / 100, edge);
+    files_->setGeometry(all.main), right_->setGeometry(all.side);
+    form_->setGeometry(all.side.adjusted(0, 0, 0, -pad - edge));
+    pad_->setGeometry(all.side.left(), all.side.bottom() + 1 - pad, all.side.width(), pad);
     for (Sheet* one : sheets()) one->refresh();
 }
 

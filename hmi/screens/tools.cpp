@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -193,19 +194,20 @@ void Tools::showPage(Page page) {
 void Tools::resizeEvent(QResizeEvent*) { layOut(); }
 
 void Tools::layOut() {
-    const int top = px(46), edge = px(8), right = page_ == Page::Magazine ? px(600) : px(340), foot = px(150), pad = px(380);
+    const int top = px(page_ == Page::Magazine && upright(*this) ? 92 : 46), edge = px(8), right = page_ == Page::Magazine ? px(600) : px(340), foot = px(150), pad = px(380);
     head_->setGeometry(0, 0, width(), top);
-    picture_->setGeometry(edge, top, width() - right - 3 * edge, height() - top - edge);
-    list_->setGeometry(width() - right - edge, top, right, height() - top - foot - 2 * edge);
+    const QRect room(edge, top, width() - 2 * edge, height() - top - edge);
+    const Parted all = parted(*this, room, right, page_ == Page::Magazine ? room.height() / 2 : px(400), edge);
+    const Padded beside = padded(*this, all.side, px(346), pad, edge);
+    if (page_ == Page::Magazine) picture_->setGeometry(all.main), list_->setGeometry(all.side.adjusted(0, 0, 0, -foot - edge));
     const bool side = page_ == Page::Data || page_ == Page::Pallets;
     const bool letters = page_ == Page::Data && textField();
     letters_->setVisible(letters);
-    letters_->setGeometry(edge, height() - px(280) - edge, width() - right - 3 * edge, px(280));
-    table_->setGeometry(edge, top, width() - 2 * edge - (side ? right + edge : 0), height() - top - edge - (page_ == Page::Life ? px(80) : letters ? px(288) : 0));
+    letters_->setGeometry(all.main.left(), all.main.bottom() + 1 - px(280), all.main.width(), px(280));
+    table_->setGeometry((side ? all.main : room).adjusted(0, 0, 0, page_ == Page::Life ? -px(80) : letters ? -px(288) : 0));
     if (page_ == Page::Life) detail_->setGeometry(edge, height() - px(76), width() - 2 * edge, px(68));
-    else detail_->setGeometry(width() - right - edge, height() - foot - edge, right, foot);
-    side_->setGeometry(width() - right - edge, top, right, height() - top - pad - 2 * edge);
-    pad_->setGeometry(width() - right - edge, height() - pad - edge, right, pad);
+    else detail_->setGeometry(all.side.left(), all.side.bottom() + 1 - foot, all.side.width(), foot);
+    side_->setGeometry(beside.rest), pad_->setGeometry(beside.pad);
     presetter_->setGeometry(0, top, width(), height() - top);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -275,9 +277,10 @@ void Tools::nextFilter() {
 
 void Tools::composeHead(Writer& w) {
     const Theme& t = theme();
-    const double high = head_->height();
+    const bool stacked = page_ == Page::Magazine && upright(*this);   // filter and search in a line of their own
+    const double high = stacked ? head_->height() / 2.0 : head_->height(), down = stacked ? high : 0, end = head_->width() - px(stacked ? 8 : 608);
     static constexpr const char* kTitles[] = {WORD("Magazines"), WORD("Tool data"), WORD("Life and forecast"), WORD("Pallets"), WORD("Presetter")};
-    w.fill(QRectF(0, 0, head_->width(), high), t.window);
+    w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
     w.text(QRectF(px(14), 0, page_ == Page::Magazine || page_ == Page::Data ? px(230) : head_->width() * 0.5, high), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     if (page_ == Page::Data) {
         const ToolRow* tool = chosen();
@@ -286,13 +289,13 @@ void Tools::composeHead(Writer& w) {
     if (page_ != Page::Magazine) return;
     // As many as there are, between the title and the filter: places of spindles come last, and must be there too.
     const auto all = magazines();
-    const double begin = px(40) + QFontMetricsF(lettering(20, true)).horizontalAdvance(word(kTitles[0])), room = head_->width() - px(614) - begin;
+    const double begin = px(40) + QFontMetricsF(lettering(20, true)).horizontalAdvance(word(kTitles[0])), room = end - px(6) - begin;
     const double each = std::clamp<double>(room / static_cast<double>(std::max<std::size_t>(1, all.size())), px(40), px(68));
     double x = begin;
     for (const std::int32_t one : all) {
         const bool here = one == picture_->shown();
         const QRectF box(x, px(6), each - px(5), high - px(11));
-        if (box.right() > head_->width() - px(608)) break;
+        if (box.right() > end) break;
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
         w.text(box, one >= 10 ? placeText(desk_.live, one, 1) : QString("M%1").arg(one), lettering(each < px(52) ? 13 : 15.5, here), t.text, Qt::AlignCenter);
@@ -300,13 +303,13 @@ void Tools::composeHead(Writer& w) {
         x += each;
     }
     static constexpr const char* kFilters[] = {WORD("All tools"), WORD("In this magazine"), WORD("Not loaded"), WORD("To be replaced")};
-    const QRectF box(head_->width() - px(608), px(6), px(250), high - px(11));
+    const QRectF box(head_->width() - px(608), down + px(6), px(250), high - px(11));
     w.fill(box, t.card, px(6));
     w.frame(box, filter_ == Filter::All ? t.edge : t.accent, px(6), filter_ == Filter::All ? 1 : px(2));
     w.text(box.adjusted(px(12), 0, -px(60), 0), word(kFilters[static_cast<std::size_t>(filter_)]), lettering(15, filter_ != Filter::All), t.text);
     w.text(box.adjusted(px(180), 0, -px(12), 0), QString::number(rows_.size()), lettering(15), t.dim, kRight);
     w.hit(box, kFilterHit);
-    w.field(QRectF(head_->width() - px(350), px(6), px(342), high - px(11)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
+    w.field(QRectF(head_->width() - px(350), down + px(6), px(342), high - px(11)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
 // What the chosen tool is, beneath the list; on the page of lives what stops the machine first.

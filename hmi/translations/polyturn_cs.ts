@@ -524,7 +524,7 @@
         <translation>Pohony os</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../app/help_view.cpp"/>
         <source>Back</source>
         <translation>Zpět</translation>
     </message>
@@ -674,7 +674,7 @@
         <translation>Nelze zapsat: %1</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Cause</source>
         <translation>Příčina</translation>
     </message>
@@ -4172,6 +4172,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Relativní počítadlo L%1 začíná zde</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
+        <translation>Osciloskop zaznamenává jiné signály: «Osy L%1» zvolí osy kružnice</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>

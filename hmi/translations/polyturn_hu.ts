@@ -524,7 +524,7 @@
         <translation>Tengelyhajtások</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../app/help_view.cpp"/>
         <source>Back</source>
         <translation>Vissza</translation>
     </message>
@@ -674,7 +674,7 @@
         <translation>Nem írható: %1</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Cause</source>
         <translation>Ok</translation>
     </message>
@@ -4172,6 +4172,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>L%1 relatív számlálója innen indul</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
+        <translation>Az oszcilloszkóp más jeleket rögzít: az «L%1 tengelyei» a kör tengelyeit választja</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>

@@ -524,7 +524,7 @@
         <translation>Приводы осей</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../app/help_view.cpp"/>
         <source>Back</source>
         <translation>Назад</translation>
     </message>
@@ -674,7 +674,7 @@
         <translation>Не записать: %1</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Cause</source>
         <translation>Причина</translation>
     </message>
@@ -4172,6 +4172,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Относительный счётчик L%1 начинается здесь</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
+        <translation>Осциллограф пишет другие сигналы: «Оси L%1» выбирает оси окружности</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>

@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "hmi/text/tongues.hpp"
 #include "hmi/widgets/painted.hpp"
@@ -100,23 +102,44 @@ void CyclePicture::paintEvent(QPaintEvent*) {
     insert.closeSubpath();
     painter.fillPath(insert, t.warn);
     // Dimensions: those of the form faint, that of the chosen field at last and bright.
-    const auto draw = [&](const SceneDim& dim, const QString& label, bool chosen) {
+    std::vector<QRectF> taken;                     // by plates: letters that stand on each other are read by nobody
+    const auto plateOf = [&](const SceneDim& dim, const QString& label, bool chosen) {
+        const QPointF a = at(dim.from), b = at(dim.to), middle = (a + b) / 2, v = b - a;
+        QPointF text = middle;
+        if (dim.kind == SceneDim::Kind::Point) text = a + QPointF(px(8), -px(12));
+        if (dim.kind == SceneDim::Kind::Way) text = middle + QPointF(0, -px(12));
+        if (dim.kind == SceneDim::Kind::Angle) text = b;
+        if (dim.kind == SceneDim::Kind::Length) text = middle + (std::fabs(v.x()) > std::fabs(v.y()) ? QPointF(0, -px(12)) : QPointF(px(12), 0));
+        QRectF box = QFontMetricsF(lettering(chosen ? 18 : 13.5, chosen)).boundingRect(label).adjusted(-px(4), -px(1), px(4), px(1));
+        box.moveCenter(text);
+        if (std::fabs(v.y()) > std::fabs(v.x()) && dim.kind == SceneDim::Kind::Length) box.moveLeft(middle.x() + px(5));
+        const auto within = [&](QRectF one) {
+            one.moveLeft(std::clamp(one.left(), double(px(4)), std::max<double>(px(4), width() - one.width() - px(4))));
+            one.moveTop(std::clamp(one.top(), double(px(4)), std::max<double>(px(4), height() - one.height() - px(4))));
+            return one;
+        };
+        // Aside where another one stands, as near as there is room.
+        for (const double far : {0.0, 1.0, 1.6, 2.4, 3.4, 5.0, 7.0})
+            for (const QPointF& way : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0), QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)}) {
+                const QRectF there = within(box.translated(way.x() * far * box.width(), way.y() * far * box.height()));
+                if (std::none_of(taken.begin(), taken.end(), [&](const QRectF& one) { return one.intersects(there); })) return there;
+            }
+        return within(box);
+    };
+    const auto draw = [&](const SceneDim& dim, const QString& label, const QRectF& box, bool chosen) {
         const QColor colour = chosen ? t.accent : t.dim;
         const double size = px(chosen ? 10 : 6);
         pen(colour, chosen ? px(3) : px(1));
-        const QPointF a = at(dim.from), b = at(dim.to), middle = (a + b) / 2;
-        QPointF text = middle;
+        const QPointF a = at(dim.from), b = at(dim.to);
         switch (dim.kind) {
             case SceneDim::Kind::Point:
                 painter.setBrush(chosen ? colour : t.card);
                 painter.drawEllipse(a, px(chosen ? 7 : 4), px(chosen ? 7 : 4));
                 painter.setBrush(Qt::NoBrush);
-                text = a + QPointF(px(8), -px(12));
                 break;
             case SceneDim::Kind::Way:
                 painter.drawLine(a, b);
                 arrowHead(painter, b, a, size * 1.4);
-                text = middle + QPointF(0, -px(12));
                 break;
             case SceneDim::Kind::Angle: {
                 const double half = 0.52, l = std::hypot(b.x() - a.x(), b.y() - a.y()), main = std::atan2(b.y() - a.y(), b.x() - a.x());
@@ -127,7 +150,6 @@ void CyclePicture::paintEvent(QPaintEvent*) {
                 arc.arcMoveTo(QRectF(a.x() - r, a.y() - r, 2 * r, 2 * r), -(main + half) * 180 / M_PI);
                 arc.arcTo(QRectF(a.x() - r, a.y() - r, 2 * r, 2 * r), -(main + half) * 180 / M_PI, 2 * half * 180 / M_PI);
                 painter.drawPath(arc);
-                text = b;
                 break;
             }
             case SceneDim::Kind::Length: {
@@ -139,28 +161,27 @@ void CyclePicture::paintEvent(QPaintEvent*) {
                     const QPointF n(-v.y() / l, v.x() / l);
                     painter.drawLine(a - n * size, a + n * size), painter.drawLine(b - n * size, b + n * size);
                 }
-                text = middle + (std::fabs(v.x()) > std::fabs(v.y()) ? QPointF(0, -px(12)) : QPointF(px(12), 0));
             }
         }
-        const QFont font = lettering(chosen ? 18 : 13.5, chosen);
-        const QFontMetricsF metrics(font);
-        QRectF box = metrics.boundingRect(label).adjusted(-px(4), -px(1), px(4), px(1));
-        box.moveCenter(text);
-        if (std::fabs(b.y() - a.y()) > std::fabs(b.x() - a.x()) && dim.kind == SceneDim::Kind::Length) box.moveLeft(middle.x() + px(5));
-        box.moveLeft(std::clamp(box.left(), double(px(4)), std::max<double>(px(4), width() - box.width() - px(4))));
-        box.moveTop(std::clamp(box.top(), double(px(4)), std::max<double>(px(4), height() - box.height() - px(4))));
         QColor behind = chosen ? t.accent : t.card;
         if (!chosen) behind.setAlpha(200);
         QPainterPath plate;
         plate.addRoundedRect(box, px(4), px(4));
         painter.fillPath(plate, behind);
-        painter.setFont(font);
+        painter.setFont(lettering(chosen ? 18 : 13.5, chosen));
         painter.setPen(chosen ? t.onAccent : t.dim);
         paintWords(painter, box, Qt::AlignCenter, label);
     };
     const auto fields = form_->fields;
     const forms::Mark wanted = field_ >= 0 && field_ < static_cast<int>(fields.size()) ? fields[static_cast<std::size_t>(field_)].mark : forms::Mark::None;
-    for (const bool chosen : {false, true})
+    struct Shown {
+        const SceneDim* dim;
+        QString label;
+        QRectF plate;
+        bool chosen;
+    };
+    std::vector<Shown> shown;
+    for (const bool chosen : {true, false})        // that of the chosen field stands where it belongs, the others beside it
         for (std::size_t i = 0; i < fields.size(); ++i) {
             const bool mine = static_cast<int>(i) == field_;
             if (mine != chosen || fields[i].mark == forms::Mark::None || (!chosen && fields[i].mark == wanted && fields[i].mark != forms::Mark::Contour && fields[i].mark != forms::Mark::Place)) continue;
@@ -169,8 +190,13 @@ void CyclePicture::paintEvent(QPaintEvent*) {
             const SceneDim* found = nullptr;
             for (const SceneDim& dim : scene_.dims)
                 if (dim.mark == fields[i].mark && (!found || seen++ < nth)) found = &dim;
-            if (found) draw(*found, fromView(fields[i].address) + (chosen && !value_.isEmpty() ? "  " + value_ : QString()), chosen);
+            if (!found) continue;
+            const QString label = fromView(fields[i].address) + (chosen && !value_.isEmpty() ? "  " + value_ : QString());
+            taken.push_back(plateOf(*found, label, chosen));
+            shown.push_back({found, label, taken.back(), chosen});
         }
+    plates_ = std::move(taken);
+    for (auto one = shown.rbegin(); one != shown.rend(); ++one) draw(*one->dim, one->label, one->plate, one->chosen);   // and lies on top
 }
 
 }  // namespace polyturn::hmi

@@ -13,6 +13,7 @@ public:
     void show(const forms::Form* form);                   // null: nothing
     void point(int field, const QString& value);          // -1: none
     const forms::Form* form() const { return form_; }
+    const std::vector<QRectF>& plates() const { return plates_; }   // behind the letters; the first one is the chosen field's
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -22,6 +23,7 @@ private:
     Scene scene_;
     int field_ = -1;
     QString value_;
+    std::vector<QRectF> plates_;
 };
 
 }  // namespace polyturn::hmi

@@ -8,8 +8,14 @@
 namespace polyturn::hmi {
 namespace {
 
+// What is smaller cannot be read from where one stands: a place too small for such letters has its number and its colour, and the name is
+// read where the places about the chosen one are drawn large.
+constexpr double kLeastLetters = 12;      // pixels
+constexpr double kNameShare = 0.135;      // of a place's side: the letters of a name
 constexpr std::size_t kMostOfLoop = 40;   // places of a chain that a loop can show; more are rows
 constexpr double kTurn = 6.283185307179586;
+
+bool readable(double side) { return side * kNameShare * 1.05 >= kLeastLetters; }
 
 std::vector<const ToolPlace*> placesOf(const Live& live, std::int32_t magazine) {
     std::vector<const ToolPlace*> out;
@@ -77,13 +83,28 @@ void Magazine::chain(std::vector<Spot>& out, const std::vector<const ToolPlace*>
     }
 }
 
+// Within a loop whose places are too small for names: the chosen one and its neighbours, large.
+void Magazine::lens(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
+    if (out.empty() || readable(out.front().box.width())) return;
+    const double edge = out.front().box.width() + px(10), wide = width() - 2 * edge, high = height() - 2 * edge;
+    const double side = std::min<double>(px(130), high);
+    if (!readable(side)) return;
+    const auto all = static_cast<std::ptrdiff_t>(places.size()), count = std::min(all, static_cast<std::ptrdiff_t>(wide / (side + px(6))));
+    const auto at = static_cast<std::ptrdiff_t>(std::find(places.begin(), places.end(), chosen()) - places.begin());
+    const double left = width() / 2.0 - static_cast<double>(count) * (side + px(6)) / 2, top = (height() - side) / 2.0;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const ToolPlace* place = places[static_cast<std::size_t>(((at + i - (count - 1) / 2) % all + all) % all)];
+        out.push_back({place, QRectF(left + static_cast<double>(i) * (side + px(6)) + px(3), top, side, side), false, true});
+    }
+}
+
 // Rows and columns; where they do not all fit, those about the chosen place.
 void Magazine::grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
     const bool matrix = static_cast<PlaceKind>(places.front()->kind) == PlaceKind::Matrix;
     double columns = 1;
     if (matrix) for (const ToolPlace* one : places) columns = std::max(columns, one->column / 2 + 1);
     else columns = std::max(1.0, std::min<double>(static_cast<double>(places.size()), std::floor(width() / static_cast<double>(px(84)))));
-    const double fit = std::max(1.0, std::floor(width() / static_cast<double>(px(58)))), shownColumns = std::min(columns, fit);
+    const double fit = std::max(1.0, std::floor(width() / std::max<double>(px(58), kLeastLetters / kNameShare))), shownColumns = std::min(columns, fit);
     const double size = std::min<double>(px(118), width() / shownColumns), shownRows = std::max(1.0, std::floor(height() / size));
     const auto rowOf = [&](std::size_t i) { return matrix ? places[i]->row / 2 : std::floor(static_cast<double>(i) / columns); };
     const auto columnOf = [&](std::size_t i) { return matrix ? places[i]->column / 2 : std::fmod(static_cast<double>(i), columns); };
@@ -108,8 +129,12 @@ void Magazine::arrange(std::vector<Spot>& out) const {
     if (places.empty()) return;
     const auto kind = static_cast<PlaceKind>(places.front()->kind);
     if (kind == PlaceKind::Turret && places.size() <= 48) turret(out, places);
-    else if (kind == PlaceKind::Chain && places.size() <= kMostOfLoop && places.size() > 2) chain(out, places);
-    else grid(out, places);
+    else if (kind == PlaceKind::Chain && places.size() <= kMostOfLoop && places.size() > 2) {
+        chain(out, places), lens(out, places);
+        if (!readable(out.front().box.width()) && !out.back().large) out.clear(), grid(out, places);   // no room in the loop
+    } else {
+        grid(out, places);
+    }
 }
 
 void Magazine::composeSpot(Writer& w, const Spot& spot) const {
@@ -127,12 +152,15 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
     w.fill(box, here ? t.mark : tool ? t.raised : t.window, round);
     w.frame(box, here && focused ? t.accent : tool ? state.colour : t.edge, round, here ? px(4) : tool ? px(2) : 1);
     const double line = side * 0.2, inner = side * (spot.round ? 0.74 : 0.9), left = box.center().x() - inner / 2;
-    w.text(QRectF(box.center().x() - side * 0.3, box.top() + side * 0.05, side * 0.6, line * 1.1), QString::number(place.pot), lettering(std::max(10.0, side / panelScale() * 0.16), true), works ? t.good : t.dim, Qt::AlignCenter);
-    if (works) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(9.0, side / panelScale() * 0.13), true), t.good, Qt::AlignCenter);
+    const bool small = !readable(side);
+    const double number = std::max(kLeastLetters, side * (small ? 0.3 : 0.16)) / panelScale();
+    w.text(QRectF(box.left(), box.top() + side * 0.05, side, std::max(line * 1.1, number * panelScale() * 1.25)), QString::number(place.pot), lettering(number, true), works ? t.good : t.dim, Qt::AlignCenter);
+    if (works && !small) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(kLeastLetters, side * 0.13) / panelScale(), true), t.good, Qt::AlignCenter);
     if (locked) w.sign(QRectF(box.center().x() - side * 0.12, box.center().y() - side * 0.12, side * 0.24, side * 0.24), Sign::Lock, t.bad);
     if (!tool) return;
-    w.data(QRectF(left, box.top() + side * 0.27, inner, line), toolName(*tool, place.tool), lettering(std::max(9.0, side / panelScale() * 0.135), false, Face::Condensed), t.text, Qt::AlignCenter);
-    if (!locked) w.sign(QRectF(box.center().x() - side * 0.11, box.top() + side * 0.47, side * 0.22, side * 0.22), state.sign, state.colour);
+    const double sign = side * (small ? 0.32 : 0.22);
+    if (!small) w.data(QRectF(left, box.top() + side * 0.27, inner, line), toolName(*tool, place.tool), lettering(std::max(kLeastLetters, side * kNameShare) / panelScale(), false, Face::Condensed), t.text, Qt::AlignCenter);
+    if (!locked) w.sign(QRectF(box.center().x() - sign / 2, box.top() + side * (small ? 0.42 : 0.47), sign, sign), state.sign, state.colour);
     const double part = lifeLeft(*tool);
     if (part >= 0) w.bar(QRectF(box.center().x() - side * 0.27, box.top() + side * 0.76, side * 0.54, std::max<double>(px(5), side * 0.06)), part, lifeColour(*tool), t.edge);
 }
@@ -156,9 +184,17 @@ void Magazine::compose(Writer& w) {
         }
         const ToolPlace* bright = chosen();
         const ToolRow* tool = bright ? toolOf(live_, bright->tool) : nullptr;
-        w.text(QRectF(middle.x() - hub, middle.y() - px(62), 2 * hub, px(50)), bright ? QString::number(bright->pot) : QString(), lettering(40, true), t.text, Qt::AlignCenter);
-        w.data(QRectF(middle.x() - hub * 0.9, middle.y() - px(8), 1.8 * hub, px(26)), tool ? toolName(*tool, bright->tool) : word("empty"), lettering(17, true), tool ? t.text : t.dim, Qt::AlignCenter);
-        if (tool) {
+        const auto large = std::find_if(spots.begin(), spots.end(), [](const Spot& one) { return one.large; });
+        const double below = large == spots.end() ? 0 : large->box.bottom();
+        if (below == 0) {
+            w.text(QRectF(middle.x() - hub, middle.y() - px(62), 2 * hub, px(50)), bright ? QString::number(bright->pot) : QString(), lettering(40, true), t.text, Qt::AlignCenter);
+            w.data(QRectF(middle.x() - hub * 0.9, middle.y() - px(8), 1.8 * hub, px(26)), tool ? toolName(*tool, bright->tool) : word("empty"), lettering(17, true), tool ? t.text : t.dim, Qt::AlignCenter);
+        }
+        if (tool && below > 0) {           // the name stands in the large place
+            const StateWords state = toolWords(*tool);
+            const QString life = lifeText(*tool);
+            if (below + px(28) < height() - size) w.text(QRectF(size, below + px(2), width() - 2 * size, px(24)), state.text + (life.isEmpty() ? QString() : "   " + life), lettering(15), state.colour, Qt::AlignCenter);
+        } else if (tool) {
             const StateWords state = toolWords(*tool);
             w.sign(QRectF(middle.x() - px(11), middle.y() + px(22), px(22), px(22)), state.sign, state.colour);
             w.text(QRectF(middle.x() - hub * 0.9, middle.y() + px(46), 1.8 * hub, px(24)), state.text, lettering(15), state.colour, Qt::AlignCenter);

@@ -1,4 +1,5 @@
 #include "hmi/widgets/soft_keys.hpp"
+#include "hmi/widgets/upright.hpp"
 
 #include <QFontMetricsF>
 #include <algorithm>
@@ -51,10 +52,11 @@ void SoftKeyBar::letGo(int number) {
 void SoftKeyBar::compose(Writer& w) {
     const Theme& t = theme();
     w.fill(QRectF(0, 0, width(), height()), t.bar);
-    const double gap = px(5), each = (width() - gap * (kKeys + 1)) / static_cast<double>(kKeys);
+    const int columns = upright(*this) ? kKeys / 2 : kKeys, rows = kKeys / columns;   // on an upright panel two rows
+    const double gap = px(5), each = (width() - gap * (columns + 1)) / static_cast<double>(columns), high = (height() - gap * (rows + 1)) / rows;
     for (int i = 0; i < kKeys && i < static_cast<int>(keys_.size()); ++i) {
         const SoftKey& key = keys_[static_cast<std::size_t>(i)];
-        const QRectF box(gap + i * (each + gap), gap, each, height() - 2 * gap);
+        const QRectF box(gap + i % columns * (each + gap), gap + i / columns * (high + gap), each, high);
         if (key.text.isEmpty()) {
             w.frame(box, t.raised, px(7), 1);
             continue;

@@ -117,6 +117,15 @@ void drawSign(QPainter& p, const QRectF& box, Sign sign, const QColor& colour) {
             break;
         }
         case Sign::Left: polyline({{15, 4}, {7, 12}, {15, 20}}); break;
+        case Sign::Undo: {   // an arrow that turns back
+            QPainterPath path({4, 9});
+            path.lineTo(14.5, 9);
+            path.arcTo(QRectF(8.5, 9, 11.5, 11.5), 90, -180);
+            path.lineTo(8, 20.5);
+            p.drawPath(path);
+            polyline({{9, 4}, {4, 9}, {9, 14}});
+            break;
+        }
         case Sign::Right: polyline({{9, 4}, {17, 12}, {9, 20}}); break;
         case Sign::Up: polyline({{4, 16}, {12, 7}, {20, 16}}); break;
         case Sign::Down: polyline({{4, 8}, {12, 17}, {20, 8}}); break;

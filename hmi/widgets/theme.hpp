@@ -23,7 +23,7 @@ QFont lettering(double units, bool bold = false, Face face = Face::Text);
 
 enum class Sign : std::uint8_t {
     None, Run, Hold, Wait, Stop, Ended, Alarm, Warning, Note, Reset, Off, Good, Overview, Manual, Programs, Offsets, Tools, Parameters, Graphics, Bell,
-    Left, Right, Up, Down, Lock, Sun, Moon, Tongue, Key, Spindle, Feed, Help, Diagnosis,
+    Left, Right, Up, Down, Lock, Sun, Moon, Tongue, Key, Spindle, Feed, Help, Diagnosis, Undo,
 };
 void drawSign(QPainter& painter, const QRectF& box, Sign sign, const QColor& colour);
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "kernel/supervisor/event_text.hpp"
 
 namespace polyturn::supervisor {
@@ -130,6 +132,13 @@ void EventJoiner::finish(const Sink& sink) {
 const std::string* EventJoiner::last_begun(unsigned channel) const {
     const auto found = channels_.find(channel);
     return found == channels_.end() || found->second.last.empty() ? nullptr : &found->second.last;
+}
+
+std::string EventJoiner::file_of(unsigned channel, unsigned line) const {
+    const std::string* last = last_begun(channel);
+    if (!last || line == 0) return {};
+    const nlohmann::json block = nlohmann::json::parse(last->back() == '}' ? *last : *last + "}", nullptr, false);
+    return block.is_object() && block.value("line", 0u) == line ? block.value("file", std::string()) : std::string();
 }
 
 }  // namespace polyturn::supervisor

@@ -327,11 +327,7 @@ void RunSession::take_alarm(const KernelEvent& event, double t_s) {
         // The kernel knows lines, the channel's last block knows the file: a subprogram's, perhaps.
         const auto program = plan_.programs.find(event.channel);
         if (program != plan_.programs.end()) diagnosis.place.file = program->second.file;
-        if (const std::string* last = joiner_.last_begun(event.channel)) {
-            const auto at = last->find("\"file\":\"");
-            if (at != std::string::npos && last->find(fmt::format("\"line\":{},", event.line)) != std::string::npos)
-                diagnosis.place.file = last->substr(at + 8, last->find('"', at + 8) - at - 8);
-        }
+        if (std::string file = joiner_.file_of(event.channel, event.line); !file.empty()) diagnosis.place.file = std::move(file);
     }
     report(diagnosis, event.channel, t_s);
 }

@@ -190,6 +190,7 @@ void StartSession::take(const KernelEvent& event) {
             diagnosis.values[0] = event.value;
             diagnosis.detail = event.text.data();
             diagnosis.place.line = event.line;
+            if (event.line) diagnosis.place.file = program_of(event);
             const bool builders = diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote;
             const int number = static_cast<int>(event.value);
             if (builders) diagnosis.detail = messages_.explain(number, static_cast<text::MessageLanguage>(tongue_now()));
@@ -204,6 +205,19 @@ void StartSession::take(const KernelEvent& event) {
         default:
             break;
     }
+}
+
+// In which program the line of an event stands: the channel's last block knows it, a subprogram's perhaps; else the
+// image does while it is still the running one, and the selected program is the best that is known.
+std::string StartSession::program_of(const KernelEvent& event) const {
+    if (std::string file = joiner_.file_of(event.channel, event.line); !file.empty()) return file;
+    const ChannelSegment* channel = controller_->channel(event.channel);
+    const auto names = std::make_unique<ProgramNames>();
+    const auto status = std::make_unique<MachineStatus>();
+    if (!channel || !channel->programs.read(*names) || names->count == 0 || !controller_->kernel().status.read(*status)) return {};
+    const ChannelStatus& now = status->channels[event.channel - 1];
+    const std::size_t file = now.line == event.line && now.file < std::min<std::uint64_t>(names->count, 32) ? now.file : 0;
+    return &names->name[file * 256];
 }
 
 // The machine builder's message in every language: the screens show it in theirs, whichever the controller speaks.

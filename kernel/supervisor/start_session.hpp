@@ -35,6 +35,7 @@ private:
     void take(const KernelEvent& event);
     std::string with_when(std::string event_text) const;
     std::string builder_words(int number) const;
+    std::string program_of(const KernelEvent& event) const;
     void note_alarm(std::string event_text, Dialect dialect, bool tell);
     void process_died(std::size_t slot, int status);
     void revive();

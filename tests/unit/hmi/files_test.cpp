@@ -2,11 +2,17 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
 #include <QtTest/QTest>
 #include <random>
 
 #include "hmi/machine/file_work.hpp"
+#include "hmi/machine/job_beside.hpp"
 #include "hmi/machine/text_difference.hpp"
+#include "hmi/screens/compare_page.hpp"
+#include "hmi/screens/program_colours.hpp"
 #include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
@@ -194,6 +200,66 @@ TEST(Comparison, OfTwoLongProgramsIsDoneWhileOneWaits) {
 }
 
 // By touches and keys, without a controller.
+// A check of the editor comes with every pause: the jobs beside the program are read when one of them has changed.
+TEST(JobBesideAProgram, IsReadWhenItHasChanged) {
+    QTemporaryDir folder;
+    const auto put = [&](const QString& name, const QByteArray& text) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    put("a.nc", "O1\nM30\n"), put("b.nc", "O2\nM30\n");
+    put("one.job.toml", "name = \"one\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
+    const QString a = folder.filePath("a.nc"), b = folder.filePath("b.nc");
+    JobBeside known = jobBeside(a, {});
+    EXPECT_EQ(known.job, folder.filePath("one.job.toml"));
+    EXPECT_EQ(known.read, 1);
+    for (int i = 0; i < 5; ++i) known = jobBeside(a, known);
+    EXPECT_EQ(known.read, 1);
+    EXPECT_EQ(known.job, folder.filePath("one.job.toml"));
+    known = jobBeside(b, known);
+    EXPECT_EQ(known.job, QString()) << "another program";
+    put("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"b.nc\", language = \"fanuc\" }\n");
+    known = jobBeside(b, known);
+    EXPECT_EQ(known.job, folder.filePath("two.job.toml"));
+    put("two.job.toml", "name = \"two\"\n[programs]\n2 = { file = \"other.nc\", language = \"fanuc\" }\n");
+    EXPECT_EQ(jobBeside(b, known).job, QString());
+}
+
+// A line too long for its half goes on below itself, at a blank where there is one: nothing of it is cut.
+TEST(ComparePage, LongLinesGoOnBelowThemselves) {
+    EXPECT_EQ(ComparePage::pieces("N10 G0 X1", 20), QStringList{"N10 G0 X1"});
+    EXPECT_EQ(ComparePage::pieces("", 20), QStringList{""});
+    const QString text = "N10 CYCLE95(\"CONTOUR\",2.5,0.1,0.2,0,0.25,0.1,0.15,9,0,0,1) ; roughing of the outer contour, twice";
+    for (const int letters : {10, 23, 40}) {
+        const QStringList pieces = ComparePage::pieces(text, letters);
+        EXPECT_EQ(pieces.join(""), text);
+        for (const QString& one : pieces) EXPECT_LE(one.size(), letters);
+    }
+}
+
+TEST(ProgramColours, WordsOfSinumerikAndToolsByName) {
+    dress(true);
+    QTextDocument text;
+    ProgramColours colours(&text, "sinumerik");
+    text.setPlainText("GOTOF END ; T=\"NOTHING\"\nIF R1>2 GOTOB AGAIN\nT=\"ROUGH_80\" D1\nMSG(\"a;b\") G0");
+    colours.see(0, 3);
+    const auto at = [&](int line, int column) {
+        for (const QTextLayout::FormatRange& one : text.findBlockByNumber(line).layout()->formats())
+            if (column >= one.start && column < one.start + one.length) return one.format.foreground().color();
+        return QColor();
+    };
+    const Theme& t = theme();
+    EXPECT_EQ(at(0, 0), t.wait);
+    EXPECT_EQ(at(0, 4), t.wait);
+    EXPECT_EQ(at(0, 12), t.faint) << "a comment";
+    EXPECT_EQ(at(1, 12), t.wait);
+    EXPECT_EQ(at(2, 0), t.warn);
+    EXPECT_EQ(at(2, 5), t.warn) << "a tool by its name";
+    EXPECT_EQ(at(3, 6), t.faint);
+    EXPECT_EQ(at(3, 11), t.accent) << "a semicolon in a text begins no comment";
+}
+
 class FilesByHand : public ::testing::Test {
 protected:
     void SetUp() override {

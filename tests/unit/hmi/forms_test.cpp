@@ -209,6 +209,24 @@ TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
     noWordIsShortened(*window);
 }
 
+// The bright plate of the chosen field covers no letter of another one.
+TEST(CyclePictures, NoLetterIsCovered) {
+    for (const QSize size : {QSize(352, 312), QSize(440, 390)})
+        for (const auto table : {forms::fanuc_forms(), forms::fagor_forms(), forms::sinumerik_forms()})
+            for (const forms::Form& form : table) {
+                CyclePicture picture(nullptr);
+                picture.resize(size);
+                picture.show(&form);
+                for (int field = -1; field < static_cast<int>(form.fields.size()); ++field) {
+                    picture.point(field, "-12.34");
+                    picture.grab();
+                    const auto& plates = picture.plates();
+                    for (std::size_t i = 0; i < plates.size(); ++i)
+                        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(plates[i].intersects(plates[j])) << std::string(form.code) << " field " << field << ": " << j << " and " << i;
+                }
+            }
+}
+
 TEST(CyclePictures, HaveAPlaceForEveryField) {
     for (const auto table : {forms::fanuc_forms(), forms::fagor_forms(), forms::sinumerik_forms()})
         for (const forms::Form& form : table) {

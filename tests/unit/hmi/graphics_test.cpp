@@ -52,6 +52,85 @@ TEST(CuttingScene, DrillsAndBoresAHole) {
     EXPECT_DOUBLE_EQ(stock.radiusAt(-10), 25);
 }
 
+// A tube is turned from both sides, until the outside has come nearer to the hole than to where it was. Nobody says which tool it is: what it
+// began with is what it goes on with.
+TEST(CuttingScene, ATubeIsTurnedOutsideDownToAThinWall) {
+    text::JobStock tube = bar(60, 100);
+    tube.bore = 50, tube.face = 2;
+    CuttingTool tool;
+    tool.number = 1;
+    const auto pass = [&](CuttingScene& scene, double radius) {
+        scene.add(1, 5, radius, true, tool), scene.add(1, -30, radius, false, tool), scene.add(1, -30, 40, true, tool), scene.add(1, 5, 40, true, tool);
+    };
+    CuttingScene scene;
+    scene.begin(tube, {0, 0, 1});
+    for (const double radius : {29.0, 27.0, 25.5}) pass(scene, radius);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-10), 25.5);
+    EXPECT_DOUBLE_EQ(scene.stock.boreAt(-10), 25);
+    // A tool that says by its tip where it works is believed at its first cut.
+    CuttingScene other;
+    other.begin(tube, {0, 0, 1});
+    tool.number = 2, tool.side = CutSide::Outside;
+    pass(other, 26);
+    EXPECT_DOUBLE_EQ(other.stock.radiusAt(-10), 26);
+    EXPECT_DOUBLE_EQ(other.stock.boreAt(-10), 25);
+    CuttingScene bored;
+    bored.begin(tube, {0, 0, 1});
+    tool.number = 3, tool.side = CutSide::Inside;
+    pass(bored, 29);
+    EXPECT_DOUBLE_EQ(bored.stock.radiusAt(-10), 30);
+    EXPECT_DOUBLE_EQ(bored.stock.boreAt(-10), 29);
+    // The same by guess, and then the outside by one that comes from there.
+    CuttingScene both;
+    both.begin(tube, {0, 0, 1});
+    tool.number = 4, tool.side = CutSide::Unknown;
+    for (const double radius : {26.0, 28.0, 29.0}) pass(both, radius);
+    EXPECT_DOUBLE_EQ(both.stock.boreAt(-10), 29);
+    EXPECT_DOUBLE_EQ(both.stock.radiusAt(-10), 30);
+    tool.number = 5;
+    both.add(1, -1, 40, true, tool), both.add(1, -1, 28, false, tool);
+    EXPECT_LE(both.stock.radiusAt(-0.5), both.stock.boreAt(-0.5)) << "faced from outside: nothing is left";
+}
+
+TEST(CuttingScene, ADrillMakesAHoleOfItsOwnDiameter) {
+    TurnedStock stock;
+    stock.begin(60, 0, 100, 2);
+    CuttingTool drill;
+    drill.hole = 4;
+    stock.cut(5, 0, -30, 0, drill);
+    EXPECT_DOUBLE_EQ(stock.boreAt(-10), 4);
+    TurnedStock faced;                     // a tool that leaves a faced centre along the axis drills nothing
+    faced.begin(60, 0, 100, 2);
+    faced.cut(-1, 31, -1, 0), faced.cut(-1, 0, 5, 0);
+    EXPECT_FALSE(faced.hollow());
+}
+
+TEST(CuttingTools, TheTipSaysTheSide) {
+    for (const int tip : {3, 4, 8}) EXPECT_EQ(sideOfTip(Dialect::Fanuc, tip), CutSide::Outside) << tip;
+    for (const int tip : {1, 2, 6}) EXPECT_EQ(sideOfTip(Dialect::Sinumerik, tip), CutSide::Inside) << tip;
+    for (const int tip : {0, 5, 7, 9}) EXPECT_EQ(sideOfTip(Dialect::Fanuc, tip), CutSide::Unknown) << tip;
+    for (const int tip : {3, 4, 5}) EXPECT_EQ(sideOfTip(Dialect::Fagor, tip), CutSide::Outside) << tip;
+    for (const int tip : {1, 7, 8}) EXPECT_EQ(sideOfTip(Dialect::Fagor, tip), CutSide::Inside) << tip;
+}
+
+// What is kept over a restart of the screens has both walls.
+TEST(KeptPaths, HoldTheHoleToo) {
+    CuttingScene scene;
+    scene.begin(bar(60, 100), {0, 0, 1});
+    CuttingTool drill;
+    drill.hole = 6, drill.number = 2;
+    scene.add(1, 5, 0, true, drill), scene.add(1, -40, 0, false, drill);
+    KeptPaths kept;
+    kept.machineRun = 7, kept.program = "O1.nc", kept.radii = scene.stock.radii(), kept.holes = scene.stock.holes();
+    const KeptPaths read = KeptPaths::read(kept.written());
+    ASSERT_EQ(read.machineRun, 7u);
+    CuttingScene again;
+    again.begin(bar(60, 100), {0, 0, 1});
+    again.stock.cutTo(read.radii, read.holes);
+    EXPECT_DOUBLE_EQ(again.stock.boreAt(-20), 6);
+    EXPECT_DOUBLE_EQ(again.stock.boreAt(-60), 0);
+}
+
 TEST(CuttingScene, AnArcGoesTheWayItIsProgrammed) {
     EXPECT_DOUBLE_EQ(arcTurn(M_PI / 2, false, false), M_PI / 2);
     EXPECT_DOUBLE_EQ(arcTurn(M_PI / 2, true, false), -1.5 * M_PI);
@@ -200,6 +279,36 @@ TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
     for (const char* line : {"N1000 A1=00000001", "N1000 A2=00000001", "N1002 A2=800"}) ASSERT_TRUE(set(line)) << line;
     ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.empty(); }));
+}
+
+// What is known of a tool is read from where it stands: the table of tools, its edge, the offset of the program.
+TEST_F(GraphicsTasks, ADrillsDiameterIsThatOfItsData) {
+    window->showScreen(6);
+    const auto set = [&](const char* line) { return g_controller->run({"set", line, "--instance", g_controller->name}); };
+    ASSERT_TRUE(set("offset L1 9 geometry R=5.1"));
+    ASSERT_TRUE(set("offset L1 9 geometry T=7"));
+    ASSERT_TRUE(waitFor([&] { return live().store(1).offsets[9].geometry_r == 5.1; }));
+    EXPECT_NEAR(cuttingTool(live(), 1, {9, 0, 9, 0}).hole, 5.1, 1e-5);
+    EXPECT_EQ(cuttingTool(live(), 1, {9, 0, 9, 0}).side, CutSide::Unknown);
+    ASSERT_TRUE(set("offset L1 9 geometry T=3"));   // a corner: the radius is that of the nose
+    ASSERT_TRUE(waitFor([&] { return cuttingTool(live(), 1, {9, 0, 9, 0}).side == CutSide::Outside; }));
+    EXPECT_EQ(cuttingTool(live(), 1, {9, 0, 9, 0}).hole, 0);
+    for (const char* line : {"offset L1 9 geometry R=0", "offset L1 9 geometry T=0"}) ASSERT_TRUE(set(line));
+}
+
+// The legend stands under the picture: the frames of travel end above it.
+TEST_F(GraphicsTasks, TheLegendLiesOverNoFrame) {
+    Graphics& screen = screenOf<Graphics>();
+    window->showScreen(6);
+    screen.turnTo(1);
+    ASSERT_TRUE(waitFor([&] { return screen.frames().size() >= 2; }));
+    for (const QSize size : {QSize(1024, 768), QSize(1280, 800), QSize(1920, 1080)}) {
+        window->resize(size);
+        frames(*window, 100);
+        for (const QRectF& frame : screen.frames()) EXPECT_LE(frame.bottom(), screen.legend().top()) << size.width();
+        for (const QRectF& label : screen.labels()) EXPECT_FALSE(label.intersects(screen.legend())) << size.width();
+    }
+    screen.turnTo(0);
 }
 
 TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {

@@ -3,6 +3,8 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFile>
+#include <QFileInfo>
+#include <QKeyEvent>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextTable>
@@ -103,6 +105,35 @@ TEST(HelpView, PiecesOfATableStandAsCloseAsItsRows) {
         }
         EXPECT_GT(joints, 5);
     }
+}
+
+// By keys alone: Tab goes from link to link, Enter opens what it leads to, Backspace goes back to where it was.
+TEST(HelpView, LinksAreFollowedByKeys) {
+    OpenPage page({"README.md", {}, {}});
+    HelpView& view = page.view;
+    const auto press = [&](int key) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+        EXPECT_TRUE(view.key(&event));
+        EXPECT_TRUE(waitFor([&] { return view.complete(); }));
+    };
+    EXPECT_TRUE(view.link().isEmpty());
+    QStringList seen;
+    for (int i = 0; i < 4; ++i) press(Qt::Key_Tab), seen << view.link();
+    EXPECT_EQ(QSet<QString>(seen.begin(), seen.end()).size(), 4) << seen.join(' ').toStdString();
+    press(Qt::Key_Backtab);
+    EXPECT_EQ(view.link(), seen[2]);
+    for (const QString& one : seen) EXPECT_TRUE(one.endsWith(".md")) << one.toStdString();
+    EXPECT_TRUE(view.text().viewport()->rect().contains(view.text().cursorRect()));
+    const QString from = view.page(), to = QFileInfo(seen[2]).fileName();
+    press(Qt::Key_Return);
+    EXPECT_EQ(view.page(), to);
+    EXPECT_TRUE(view.link().isEmpty());
+    press(Qt::Key_Down);
+    press(Qt::Key_Backspace);
+    EXPECT_EQ(view.page(), from);
+    view.open({"operator.md", {}, {}});
+    press(Qt::Key_Backspace);
+    EXPECT_EQ(view.page(), from) << "the list of the books";
 }
 
 TEST(HelpView, LinksAreReadInBothThemes) {

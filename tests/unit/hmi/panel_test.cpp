@@ -70,7 +70,25 @@ TEST_F(PanelTasks, AlarmsOutliveTheController) {
     ASSERT_TRUE(waitFor([&] { return found() != alarms.rows().end() && found()->told; })) << alarms.rows().size() << (alarms.rows().empty() ? QString() : alarms.rows().back().number + alarms.rows().back().place).toStdString();
     EXPECT_FALSE(found()->standing);
     EXPECT_FALSE(found()->remedy.isEmpty());
+    frames(*window, 60);
+    for (const char* field : {"Cause", "Remedy", "Place"}) EXPECT_TRUE(standsOn(alarms.sheets(), field)) << field;
     EXPECT_EQ(std::count_if(alarms.rows().begin(), alarms.rows().end(), ofNight), told) << "each once";
+}
+
+// The kernel knows lines of blocks, not their files: whoever tells the alarm says which program it was.
+TEST_F(PanelTasks, AnAlarmOfTheKernelNamesItsProgram) {
+    QFile file(g_controller->folder.filePath("counts.nc"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("O0007\nN10 G4 X0.2\nN20 M30\n");
+    file.close();
+    for (const char* line : {"N2308 L1=1", "N2307 L1=0"}) ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name}));
+    const auto told = [&] {
+        const auto& all = window->desk().alarms.all();
+        return std::find_if(all.begin(), all.end(), [](const AlarmEntry& one) { return one.number == "PT0563" && one.place.contains("counts.nc"); }) != all.end();
+    };
+    ASSERT_TRUE(g_controller->press("select L1=" + file.fileName()) && g_controller->press("cycle_start L1"));
+    EXPECT_TRUE(waitFor([&] { return told(); }, 30)) << (window->desk().alarms.all().empty() ? QString() : window->desk().alarms.all().back().number + " " + window->desk().alarms.all().back().place).toStdString();
+    EXPECT_TRUE(g_controller->run({"params", "set", "N2308 L1=0", "--instance", g_controller->name}));
 }
 
 TEST_F(PanelTasks, TheLogOfStopsOutlivesTheController) {
@@ -319,6 +337,36 @@ TEST_F(PanelTasks, EightDigitsAreBits) {
     ASSERT_TRUE(waitFor([&] { return value() == 4; })) << value();
     hand.soft("Undo"), hand.soft("Undo");
     ASSERT_TRUE(waitFor([&] { return value() == before; })) << value();
+}
+
+// What somebody else has entered since is not taken back; and two presses faster than the store answers take back two.
+TEST_F(PanelTasks, UndoOfAParameterTakesBackOnlyWhatStillStandsThere) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    Parameters& screen = screenOf<Parameters>();
+    screen.find("N0516");                        // a window in mm
+    const auto value = [&] { return live().table().numbers[params::find("N0516")->first_slot]; };
+    const auto set = [&](const char* to) { return g_controller->run({"params", "set", QString("N0516 A1=%1").arg(to), "--instance", g_controller->name}); };
+    ASSERT_TRUE(set("0.01"));
+    ASSERT_TRUE(waitFor([&] { return value() == 0.01; }));
+    hand.touchCell(screen.table(), 0, 0);
+    hand.type("0.02"), hand.key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return value() == 0.02; }));
+    ASSERT_TRUE(set("0.05"));
+    ASSERT_TRUE(waitFor([&] { return value() == 0.05; }));
+    hand.soft("Undo");
+    frames(*window, 700);
+    EXPECT_EQ(value(), 0.05);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "0.05"));
+    EXPECT_TRUE(standsOn(window->ownSheets(), "it stays"));
+    ASSERT_TRUE(set("0.01"));
+    ASSERT_TRUE(waitFor([&] { return value() == 0.01; }));
+    hand.type("0.02"), hand.key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return value() == 0.02; }));
+    hand.type("0.03"), hand.key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return value() == 0.03; }));
+    hand.soft("Undo"), hand.soft("Undo");
+    EXPECT_TRUE(waitFor([&] { return value() == 0.01; })) << value();
 }
 
 // 50/3 is no whole number: rounded in silence it would be another one than was typed.

@@ -47,7 +47,7 @@ TEST(Screens, WaitForAControllerAndSaySo) {
 }
 
 TEST(Screens, NoWordIsShortenedOnAnyPanel) {
-    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1024, 768), QSize(800, 600)}) {
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1024, 768), QSize(800, 600), QSize(768, 1024), QSize(1080, 1920)}) {
         MainWindow window(nobody());
         window.resize(size);
         window.show();

@@ -37,6 +37,32 @@ TEST_F(ToolTasks, ATurretShowsItsStationsAndWhatStandsThere) {
     noWordIsShortened(*window);
 }
 
+// A chain's places are small: the names about the chosen place are drawn large enough to be read from where one stands.
+TEST_F(ToolTasks, NamesInAChainCanBeRead) {
+    for (const char* line : {"N2912=24", "N2905=00001000", "N2920=4", "N2921=6"}) ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name})) << line;
+    const auto chain = [&] {
+        for (std::size_t i = 0; i < live().places().count; ++i)
+            if (static_cast<PlaceKind>(live().places().places[i].kind) == PlaceKind::Chain) return live().places().places[i].magazine;
+        return 0;
+    };
+    if (!waitFor([&] { return chain() != 0; }, 10)) GTEST_SKIP() << "this controller takes magazines at its start only";
+    ASSERT_TRUE(g_controller->run({"tools", "load", "3", QString::number(chain()), "3", "--instance", g_controller->name}));
+    Tools& tools = screenOf<Tools>();
+    for (const QSize size : {QSize(1024, 768), QSize(768, 1024)}) {
+        window->resize(size);
+        window->showScreen(4);
+        tools.picture().show(chain()), tools.picture().choose(3);
+        frames(*window, 100);
+        int named = 0;
+        for (const Item& item : tools.picture().items()) {
+            if (item.kind != Item::Kind::Text || item.text.isEmpty()) continue;
+            EXPECT_GE(item.font.pixelSize(), 12) << item.text.toStdString();
+            named += item.text == "GROOVE_3";
+        }
+        EXPECT_GE(named, 1) << size.width();
+    }
+}
+
 TEST_F(ToolTasks, AToolIsLoadedByKeysAlone) {
     Operator hand(*window);
     hand.screen("tools");

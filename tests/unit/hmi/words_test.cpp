@@ -158,7 +158,7 @@ TEST_F(Words, NoneIsLeftInEnglish) {
 }
 
 TEST_F(Words, AllFitOnEveryPanelWhileTheMachineWorks) {
-    for (const QSize size : {QSize(1024, 768), QSize(1920, 1080)}) {
+    for (const QSize size : {QSize(1024, 768), QSize(1920, 1080), QSize(768, 1024), QSize(1080, 1920)}) {
         window->resize(size);
         frames(*window, 100);
         noWordIsShortened(*window, ProgramPages::All);

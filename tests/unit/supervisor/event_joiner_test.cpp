@@ -30,6 +30,17 @@ TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
     EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","ch":1,"t":0,"end":5.25})", R"({"ev":"aux","ch":2,"code":"M8","t":1})"}));
 }
 
+// The kernel's own alarms know the line of a block: in which file it stands, a subprogram's perhaps, the block that began last says.
+TEST(EventJoiner, ALineIsOfTheFileInWhichItsBlockBegan) {
+    EventJoiner joiner;
+    joiner.note(1, 1, R"({"ev":"move","file":"/p/O\"9.nc","line":63,"ch":1})");
+    EXPECT_EQ(joiner.file_of(1, 63), "");
+    joiner.begin(1, 1, 0.0);
+    EXPECT_EQ(joiner.file_of(1, 63), "/p/O\"9.nc");
+    EXPECT_EQ(joiner.file_of(1, 6), "") << "another block";
+    EXPECT_EQ(joiner.file_of(2, 63), "");
+}
+
 TEST(EventJoiner, ASkipMoveIsToldWithThePointAtWhichItEnded) {
     EventJoiner joiner;
     Out out;
