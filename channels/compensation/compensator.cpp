@@ -288,8 +288,13 @@ Element Compensator::to_nose(Element e) const {
 // The nose stops its radius before the end of the element: what stands there is not cut into (fagor 8.2.7).
 Vectors Compensator::before_rapid() const {
     const Element& e = block_.element;
-    const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start);
-    return Vectors::one(e.nose * e.normal_at_end() - std::fmin(e.nose, way) * e.end_dir);
+    const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start), before = std::fmin(e.nose, way);
+    const double path = e.arc ? e.nose_path_radius(e.end_radius) : 0.0;
+    if (path > before && e.end_radius > 0) {   // it stays on its circle about the centre, and touches the perpendicular there
+        const Vec outwards = (1.0 / e.end_radius) * (e.end - e.centre);
+        return Vectors::one((std::sqrt(path * path - before * before) - e.end_radius) * outwards - before * e.end_dir);
+    }
+    return Vectors::one(e.nose * e.normal_at_end() - before * e.end_dir);
 }
 
 // G40 without movement: straight from the compensated end to the programmed one.

@@ -138,7 +138,7 @@ bool Interpreter::act() {
             return fail_word(*axis_words_[i], Alarm::DigitsTooMany, std::string(1, axis_words_[i]->letter));
     const GCode* one_shot = coded_[at(GGroup::OneShot)];
     const GCode* cycle = coded_[at(GGroup::Cycle)];
-    const bool own_words = (one_shot && one_shot->number != 4 && one_shot->number != 75 && one_shot->number != 76) || cycle;
+    const bool own_words = (one_shot && one_shot->number != 4 && one_shot->number != 52 && one_shot->number != 75 && one_shot->number != 76) || cycle;
     if (coded(GGroup::Motion)) modal_.motion = coded_[at(GGroup::Motion)]->number;
     if (!own_words && has('F') && !feed_word()) return false;
     if (!run(GGroup::Spindle)) return false;

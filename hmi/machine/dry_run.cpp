@@ -116,7 +116,7 @@ void DryRun::take(const QByteArray& line) {
         const QJsonValue number = event.value("number");
         const QString written = alarmNumberText(number.isDouble() ? QString::number(number.toInt()) : number.toString());
         const QString place = at.line ? QString("%1:%2").arg(QFileInfo(event.value("file").toString()).fileName()).arg(at.line) : QString();
-        if (written == QString::fromStdString(alarm_number(Alarm::PartsDone, Dialect::Polyturn))) return;   // that the one part which is simulated is made is no fault
+        if (written == fromView(alarm_number(Alarm::PartsDone, Dialect::Polyturn))) return;   // that the one part which is simulated is made is no fault
         faults_.push_back({channel, event.value("severity").toString() != "warning", written, retold(written, event.value("text").toString()).text, place, at});
         return;
     }

@@ -32,6 +32,14 @@ const OffsetCell& offset_cell(const Work& work, std::int64_t channel, std::int64
     return work.values.channels[static_cast<std::size_t>(offset_owner(work.values.parameters, work.machine, channel, number) - 1)].offsets[static_cast<std::size_t>(number)];
 }
 
+double zeros_beside(const Work& work, std::int64_t channel, std::size_t row, const AxisConfig& axis) {
+    const auto& zeros = work.values.channels[static_cast<std::size_t>(channel - 1)].zeros;
+    double sum = 0.0;
+    for (const std::size_t common : {kZeroExternal, kZeroShift})
+        if (common != row) sum += zeros[common * kChannelAxes + axis.slot];
+    return sum;
+}
+
 namespace {
 
 // N1415 and PT_WEAR_STEP; empty: the value may be entered.
@@ -206,7 +214,7 @@ Json measure(const Json& request, Work& work) {
     const auto row = work_zero_row(system);
     if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
     const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
-    const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros[kZeroExternal * kChannelAxes + axis->slot];
+    const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros_beside(work, target.channel, *row, *axis);
     const double before = value_now(work, target);
     // Wear stays what it is: what is measured is the sum of both.
     const double fresh = (position - zero - value) * share(target, *axis) - (target.table == 0 ? beside(work, target) : 0.0);

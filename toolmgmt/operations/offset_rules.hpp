@@ -15,6 +15,8 @@ bool enter_edge(Work& work, std::int32_t channel, std::int32_t tool, std::int32_
 // The number of $TC_DPx that a field (0 X, 1 Y, 2 Z, 3 R, 4 T) of a table (0 geometry, 1 wear, 2 base) of the edge has; `plane` 0 G17, 1 G18,
 // 2 G19. -1: no length of the edge lies along that axis.
 int edge_parameter(const Work& work, std::int32_t channel, std::int32_t tool, std::int32_t edge, int table, int field, unsigned plane = 1);
+// What acts beside the value of a row of zeros: the external zero and the work shift, without the row itself; as the table shows it.
+double zeros_beside(const Work& work, std::int64_t channel, std::size_t row, const AxisConfig& axis);
 // What is entered of a length that a display shows: offsets of an axis may be radii in the table while its positions are diameters
 // (F5004 #1), and lengths of edges always are.
 double share_in_offsets(const AxisConfig& axis);

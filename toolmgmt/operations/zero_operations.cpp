@@ -1,6 +1,6 @@
 // Zero offsets as a setter enters them: typed in, from a surface that the tool stands at, from the workpiece setter (N3014, N3015).
 //
-//   machine = zero + external + offset + value   ->   zero = machine - offset - value - external          (X as the table shows it)
+//   machine = zero + external + shift + offset + value   ->   zero = machine - offset - value - external - shift   (X as the table shows it)
 //
 // The offset is that of the tool or probe that stands there: its geometry and wear. A probe whose lengths lead to the middle of its
 // ball (tip 0 or 9) touches with the ball's side: its nose radius counts towards where it travelled.
@@ -101,10 +101,6 @@ bool offset_of(Work& work, unsigned channel, std::int64_t number, const AxisConf
     return true;
 }
 
-double external_of(const Work& work, unsigned channel, std::size_t row, const AxisConfig& axis) {
-    return row == kZeroExternal ? 0.0 : work.values.channels[channel - 1].zeros[kZeroExternal * kChannelAxes + axis.slot];
-}
-
 // The tip stands at a surface that is to be `value`.
 Json measure(const Json& request, Work& work) {
     unsigned channel = 1;
@@ -123,7 +119,7 @@ Json measure(const Json& request, Work& work) {
     const auto position = upright_position(work, channel, *axis);
     if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), Json();
     const double machine = *position * (axis->diameter ? 2.0 : 1.0);
-    return enter(work, channel, row, *axis, machine - length - value - external_of(work, channel, row, *axis), {{"machine", machine}, {"offset", number}});
+    return enter(work, channel, row, *axis, machine - length - value - zeros_beside(work, channel, row, *axis), {{"machine", machine}, {"offset", number}});
 }
 
 // The workpiece setter has answered: the surface that it touched is to be `value` (0 where nothing is said).
@@ -172,7 +168,7 @@ Json touch(const Json& request, Work& work) {
     const double unit = axis.diameter ? 2.0 : 1.0, machine = upright_touch(work, channel, axis, *touch) * unit;
     const bool to_middle = cell && (cell->tip == 0 || cell->tip == 9);
     const double side = to_middle ? (touch->negative ? -1.0 : 1.0) * (cell->geometry_r + cell->wear_r) * unit : 0.0;
-    return enter(work, channel, row, axis, machine + side - length - value - external_of(work, channel, row, axis),
+    return enter(work, channel, row, axis, machine + side - length - value - zeros_beside(work, channel, row, axis),
                  {{"machine", machine}, {"surface", value}, {"offset", number}, {"setter", touch->spindle()}});
 }
 

@@ -50,6 +50,16 @@ TEST(FagorBlock, MovesWhereItsWordsSay) {
     for (const Row& row : rows) EXPECT_EQ(points(play(row.program, fagor())), row.points) << row.program;
 }
 
+// [5, 6.14] The move to a hard stop is a G01: F, S and T of its block act, and hold behind it.
+TEST(FagorBlock, TheMoveToAHardStopTakesItsWords) {
+    const Played played = play("G152\nG01 X30 Z0 F200\nG52 X40 F100 T3\nG01 X30", fagor());
+    EXPECT_EQ(played.errors, 0u);
+    EXPECT_FALSE(played.find({"\"line\":3", "\"ev\":\"aux\"", "T3"}).empty());
+    const std::string behind = played.find({"\"line\":4", "\"ev\":\"move\""});
+    EXPECT_NE(behind.find("100"), std::string::npos) << behind;
+    EXPECT_EQ(behind.find("200"), std::string::npos) << behind;
+}
+
 TEST(FagorBlock, ArcsGoTheWayTheirFormSays) {
     const auto arc = [](std::string_view program) {
         const Played played = play(program, fagor());
@@ -151,6 +161,11 @@ TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG41 G01 X10 Z20 F100\nZ0\nG40 Z0\nX20", 0), "10,20 8,20 8,0 10,0 20,0");
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 0), "10,20 12,20 12,2 30,0");
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,18 10,0 30,0");
+    // [8.2.7] Behind an arc the nose touches the perpendicular too, on its own circle: 8 about X30 Z-15, and 12.
+    for (const auto& [arc, end] : {std::pair{"G02 X30 Z-25 R10", "28,-22.745967"}, std::pair{"G03 X10 Z-25 R10", "12,-26.83216"}}) {
+        const std::string all = with_nose(std::string("G152\nT1 D1\nG00 X60 Z10\nG42 G01 X20 Z2 F100\nZ-15\n") + arc + "\nG00 X60 Z10\nG40", 0);
+        EXPECT_NE(all.find(end), std::string::npos) << arc << ": " << all;
+    }
 }
 
 Played with_round_nose(std::string_view contour) {

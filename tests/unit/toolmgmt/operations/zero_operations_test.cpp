@@ -54,6 +54,14 @@ TEST(Zeros, FollowFromASurfaceTheTipStandsAt) {
     rig.values->channels[0].zeros[kZeroExternal * kChannelAxes + 1] = 2;
     ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "Z"}, {"value", 0}})) << rig.said();
     EXPECT_EQ(rig.answer["new"], 198);   // no offset; the external zero counts with it
+    rig.values->channels[0].zeros[kZeroShift * kChannelAxes + 1] = 5;   // G10 P0 acts with every zero, too
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G55"}, {"field", "Z"}, {"value", 0}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 193);
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "external"}, {"field", "Z"}, {"value", 0}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 195);
+    rig.values->channels[0].zeros[kZeroExternal * kChannelAxes + 1] = 2;
+    ASSERT_TRUE(rig.run({{"do", "offsets.measure"}, {"channel", 1}, {"number", 5}, {"field", "Z"}, {"value", 7}, {"zero", "G55"}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 200 - 193 - 2 - 5 - 7);
     EXPECT_FALSE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"field", "Z"}, {"value", 0}, {"offset", 99}}));
 }
 
