@@ -175,6 +175,7 @@ private:
         return wide + px(6);
     }
 
+    bool slim() const { return !dense_ && wide_ < px(320); }   // a whole card among four
     double gap() const { return px(dense_ ? 4 : 9); }
     void below(double height) { y_ += height + gap(); }
     void rule() { w_.line({left_, y_ - gap() / 2}, {left_ + wide_, y_ - gap() / 2}, t_.edge, 1); }
@@ -271,7 +272,7 @@ private:
 
     // Two tiles: feed and spindle, with what is commanded and the overrides.
     void speeds() {
-        const double h = px(dense_ ? 44 : 74), half = (wide_ - px(8)) / 2;
+        const double h = px(dense_ ? 44 : slim() ? 90 : 74), half = (wide_ - px(8)) / 2;
         tile(QRectF(left_, y_, half, h), Sign::Feed, live_.unit(channel_).speed(status_.path_speed * 60), live_.unit(channel_).perMinute(), feedWords(), status_.feed_override,
              QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
@@ -295,10 +296,12 @@ private:
         w_.text(QRectF(box.left() + px(30), box.top() + px(3), box.width() - px(38) - unitWide, line), value, lettering(big, true), t_.text, kRight);
         if (unitWide > 0) w_.text(QRectF(box.right() - unitWide - px(4), box.top() + px(3), unitWide, line), unit, lettering(12.5), t_.dim, kRight);
         const double second = box.top() + line + px(2);
-        if (!dense_) w_.data(QRectF(box.left() + px(9), second, box.width() * 0.5, px(16)), wanted, lettering(12.5), t_.dim);
+        // Four channels side by side: what is commanded and the note have a line each.
+        const double wantedWide = slim() ? box.width() - px(18) : box.width() * 0.5, noteTop = slim() ? second + px(17) : second, noteLeft = slim() ? box.left() + px(9) : box.left() + box.width() * 0.5;
+        if (!dense_) w_.data(QRectF(box.left() + px(9), second, wantedWide, px(16)), wanted, lettering(12.5), t_.dim);
         const bool changed = std::abs(override - 1.0) > 1e-6;
         const QString percent = QString("%1 %").arg(std::lround(override * 100));
-        if (!dense_) w_.text(QRectF(box.left() + box.width() * 0.5, second, box.width() * 0.5 - px(9), px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
+        if (!dense_) w_.text(QRectF(noteLeft, noteTop, box.right() - px(9) - noteLeft, px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
         const double bar = box.bottom() - px(dense_ ? 12 : 15);
         w_.bar(QRectF(box.left() + px(10), bar + px(1), box.width() - px(70), px(7)), override / 1.5, changed ? t_.warn : t_.accent, t_.edge);
         w_.text(QRectF(box.right() - px(56), bar - px(5), px(48), px(18)), percent, lettering(13, true), changed ? t_.warn : t_.text, kRight);
@@ -415,7 +418,7 @@ private:
                 w_.text(QRectF(box.left(), box.bottom() - px(18), box.width(), px(18)), values[i], lettering(13, true), t_.text);
                 continue;
             }
-            w_.text(QRectF(box.left(), box.top() + px(2), box.width(), px(17)), heads[i], lettering(12, false, Face::Condensed), t_.dim);
+            w_.text(QRectF(box.left(), box.top() + px(2), box.width() + px(slim() ? 3 : 0), px(17)), heads[i], lettering(slim() ? 10.5 : 12, false, Face::Condensed), t_.dim);
             w_.text(QRectF(box.left(), box.top() + px(20), box.width(), px(26)), values[i], lettering(17, true), t_.text);
         }
     }

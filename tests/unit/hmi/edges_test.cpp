@@ -16,7 +16,7 @@ protected:
         Tasks::SetUp();
         if (HasFatalFailure()) return;
         write("edges.job.toml", "name = \"edges\"\nsetup = \"edges.setup.toml\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n2 = { file = \"SECOND.nc\", language = \"fanuc\" }\n");
-        write("edges.setup.toml", "[channel.1.tools.41]\nname = \"ROUGH_80\"\n[channel.1.tools.41.edges.1]\nDP3 = 125.0\nDP4 = 40.0\n");
+        write("edges.setup.toml", "[channel.1.tool.41]\nname = \"ROUGH_80\"\n[channel.1.tool.41.edge.1]\nDP3 = 125.0\nDP4 = 40.0\n");
         write("FIRST.MPF", "N10 G90 G18 DIAMON\nN20 T9 D1\nN30 G0 X300 Z300\nN40 M0\nN50 M30\n");
         write("SECOND.nc", "O0002\nN10 M30\n");
         if (!live().tools().rows[40].used) {

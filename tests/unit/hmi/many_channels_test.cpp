@@ -200,7 +200,7 @@ TEST(MachineGroups, HaveKeysOfTheirOwnForTheGroupOfTheChosenChannel) {
     noWordIsShortened(window);
 }
 
-INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 8, 16));
+INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 4, 8, 16));
 
 }  // namespace
 }  // namespace polyturn::hmi
