@@ -185,14 +185,15 @@ private:
         const double title = wide_ < px(320) ? px(46) : wide_ * 0.4;   // the number, and the name where there is room
         const StateWords state = stateWords(status_);
         w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
-        const double mode = std::min<double>(wide_ * 0.3, px(110));
+        const bool narrow = slim() && groupOf(live_, channel_);   // four side by side, with the mark of their group
+        const double mode = narrow ? px(70) : std::min<double>(wide_ * 0.3, px(110));
         const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_);
         const QFont bold = lettering(dense_ ? 17 : 21, true);
         const double titleWide = std::min(title, wordsWidth(name, bold));
         w_.data(QRectF(left_ + px(30), y_, title, h), name, bold, t_.text);
-        w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), lettering(14.5), t_.dim, kRight);
-        w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, lettering(dense_ ? 15 : 18, true), state.colour, kRight);
-        groupMark(QRectF(left_ + px(30) + titleWide + px(8), y_ + px(4), 0, h - px(8)));
+        w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), narrow ? lettering(13, false, Face::Condensed) : lettering(14.5), t_.dim, kRight);
+        w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, narrow ? lettering(13.5, true, Face::Condensed) : lettering(dense_ ? 15 : 18, true), state.colour, kRight);
+        groupMark(QRectF(left_ + px(30) + titleWide + px(narrow ? 4 : 8), y_ + px(4), 0, h - px(8)));
         below(h);
     }
 
@@ -350,7 +351,7 @@ private:
             if (p.tip > 0) offset += QString("  %1 %2").arg(word("tip")).arg(p.tip);
         }
         w_.sign(QRectF(left_, y_ + h / 2 - px(9), px(18), px(18)), Sign::Tools, t_.dim);
-        w_.data(QRectF(left_ + px(26), y_, wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
         w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
         below(h);
         if (dense_) return;

@@ -141,7 +141,7 @@ void Offsets::build() {
         const bool third = placeOf(live, channel, 'Y') >= 0 || std::any_of(edges_.begin(), edges_.end(), [&](EdgeLine one) { return sumOfLength(live, one, 2) != 0; });
         for (const int dp : kEdgeColumns) {
             if (isLength(dp) && lengthOf(dp) == 2 && !third) continue;
-            table_->columns.push_back({edgeParameterTitle(dp), dp == kDpTip ? 0.85 : dp == kDpType ? 0.75 : is_edge_wear(dp) || dp == kDpRadius ? 1.1 : 1.25, kRight, true}), parameters_.push_back(dp);
+            table_->columns.push_back({edgeParameterTitle(dp), dp == kDpTip ? 1.0 : dp == kDpType ? 0.75 : is_edge_wear(dp) || dp == kDpRadius ? 1.1 : 1.25, kRight, true}), parameters_.push_back(dp);
         }
     } else {
         const auto named = [&](const QString& what, char letter) { return QString("%1 %2").arg(what).arg(letter) + (inDiameter(live, channel, letter) ? kDiameter : QString()); };

@@ -112,6 +112,11 @@ void Programs::takeSelected() {
     if (!differs.isEmpty()) desk_.tell(word("%1 is selected").arg(QFileInfo(sheet->path).fileName()) + ".  " + differs, Told::Note);
 }
 
+// A print server that does not answer is left behind, and nobody is there any more to be told.
+Programs::~Programs() {
+    for (QProcess* one : findChildren<QProcess*>()) one->disconnect(), one->kill(), one->waitForFinished(200);
+}
+
 // As a file beside the job, and to the printer where the computer has one.
 void Programs::print() {
     if (!files_->sheet() || printing_.busy()) return;

@@ -19,6 +19,7 @@ namespace polyturn::hmi {
 class Programs : public Screen {
 public:
     explicit Programs(Desk& desk);
+    ~Programs() override;
     QString title() const override { return word("Programs"); }
     Sign sign() const override { return Sign::Programs; }
     const char* name() const override { return "programs"; }

@@ -1,6 +1,7 @@
 // A program asks and an operator answers on the panel: pattern by touch, values by the pad, the key at the foot; put away and brought back.
 #include <QFile>
 
+#include "hmi/screens/operation_keys.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -37,7 +38,7 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     EXPECT_TRUE(view().isVisible());
     EXPECT_EQ(view().title(), "HOLE");
     QTest::qWait(MainWindow::kComesUpMs);
-    EXPECT_EQ(view().keys()[8].text, "Hold all");
+    EXPECT_EQ(view().keys()[kHoldAllPlace].text, "Hold all") << "where it is on all screens";
     ASSERT_EQ(view().table().rows(), 2);
     EXPECT_EQ(view().sheets().size(), 3u) << "a menu has no field for figures";
     noWordIsShortened(*window);

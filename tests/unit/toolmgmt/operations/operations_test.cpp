@@ -259,7 +259,7 @@ TEST(Life, OfSistersInDifferentUnitsIsForecastInPartsOnly) {
 // sinumerik part 1, 5.2.1: what stands at a station need not be what its call finds. Magazine 3 is a matrix that L1 reaches and L2 does not.
 TEST(Answers, OfAChannelAreThoseOfItsCalls) {
     ToolRig rig;
-    for (const char* line : {"N2905=00000100", "N2918=3", "N2919=4", "N2901 L1=00001000", "PT_TOOL_SEARCH L1=1"}) rig.set(line);
+    for (const char* line : {"N2905=00000100", "N2918=3", "N2919=4", "N2901 L1=00010000", "PT_TOOL_SEARCH L1=1"}) rig.set(line);
     rig.add({{"name", "ROUGH"}, {"duplo", 1}, {"locked", 1}}, 1, 5);
     rig.add({{"name", "ROUGH"}, {"duplo", 2}}, 1, 7);
     const int active = rig.add({{"name", "ROUGH"}, {"duplo", 3}, {"active", 1}}, 1, 6);
