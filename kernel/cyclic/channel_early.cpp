@@ -1,4 +1,5 @@
 // How much the path knows of what is prepared, and a function that begins before the rapid move in front of it has come to rest.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,11 +27,14 @@ bool ChannelRunner::holds_surface_speed() const noexcept {
 
 std::optional<double> ChannelRunner::cut_begins_at(std::uint32_t axis) const noexcept {
     if (at_boundary_ || cursor_ >= visible_end_ || !is_motion(record(cursor_)) || !(record(cursor_).flags & kRapid)) return std::nullopt;
+    // A look per tick: bounded, also where a program puts more between the two (then the speed comes with the cut).
+    constexpr std::uint64_t kFar = 32;
+    const std::uint64_t end = std::min(visible_end_, cursor_ + kFar);
     std::uint64_t last = cursor_;   // of the block under way
-    while (!(record(last).flags & kBlockEnd) && last + 1 < visible_end_ && is_motion(record(last + 1))) ++last;
+    while (!(record(last).flags & kBlockEnd) && last + 1 < end && is_motion(record(last + 1))) ++last;
     std::uint64_t next = last + 1;
-    while (next < visible_end_ && !is_motion(record(next)) && !stops_path(record(next))) ++next;   // what is only told in passing
-    if (next >= visible_end_ || !is_motion(record(next)) || (record(next).flags & kRapid)) return std::nullopt;
+    while (next < end && !is_motion(record(next)) && !stops_path(record(next))) ++next;   // what is only told in passing
+    if (next >= end || !is_motion(record(next)) || (record(next).flags & kRapid)) return std::nullopt;
     const PathRecord& r = record(last);
     SlotVector position;
     if (!drives_at(r, kinematics_of(r), r.length, position)) return std::nullopt;
