@@ -293,9 +293,10 @@ private:
         w_.fill(box, t_.raised, px(7));
         const double big = dense_ ? 16 : 25, line = dense_ ? px(22) : px(34);
         w_.sign(QRectF(box.left() + px(9), box.top() + line / 2 - px(dense_ ? 5 : 7), px(18), px(18)), sign, t_.dim);
-        const double unitWide = box.width() > px(200) ? px(52) : 0;
+        const QFont unitFont = lettering(12.5);
+        const double unitWide = box.width() > px(200) ? std::max<double>(px(52), wordsWidth(unit, unitFont) + px(2)) : 0;   // an inch has long names in some languages
         w_.text(QRectF(box.left() + px(30), box.top() + px(3), box.width() - px(38) - unitWide, line), value, lettering(big, true), t_.text, kRight);
-        if (unitWide > 0) w_.text(QRectF(box.right() - unitWide - px(4), box.top() + px(3), unitWide, line), unit, lettering(12.5), t_.dim, kRight);
+        if (unitWide > 0) w_.text(QRectF(box.right() - unitWide - px(4), box.top() + px(3), unitWide, line), unit, unitFont, t_.dim, kRight);
         const double second = box.top() + line + px(2);
         // Four channels side by side: what is commanded and the note have a line each.
         const double wantedWide = slim() ? box.width() - px(18) : box.width() * 0.5, noteTop = slim() ? second + px(17) : second, noteLeft = slim() ? box.left() + px(9) : box.left() + box.width() * 0.5;

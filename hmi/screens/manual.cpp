@@ -6,6 +6,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/upright.hpp"
 #include "ipc/machine/start_words.hpp"
 
@@ -248,7 +249,9 @@ void Manual::composeAxes(Writer& w) {
         const bool here = step_ == static_cast<int>(i);
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, i == 0 ? word("Continuous") : QString("%1 %2").arg(stepText(i), unit), lettering(17, here), t.text, Qt::AlignCenter);
+        const QString label = i == 0 ? word("Continuous") : QString("%1 %2").arg(stepText(i), unit);
+        const QFont plain = lettering(17, here);
+        w.text(box, label, wordsWidth(label, plain) > box.width() - px(8) ? lettering(14, here, Face::Condensed) : plain, t.text, Qt::AlignCenter);
         w.hit(box, kStepHits + static_cast<int>(i));
     }
 }

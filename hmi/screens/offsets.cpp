@@ -104,7 +104,7 @@ void Offsets::showZeros(bool zeros) {
     if (zeros_ == zeros) return;
     zeros_ = zeros;
     build();
-    table_->choose(0, byEdges() ? 2 : 1);
+    table_->choose(0, firstColumn());
 }
 
 QString Offsets::state() const { return QString("%1 %2 %3").arg(partsShown_ ? 2 : zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
@@ -180,8 +180,14 @@ void Offsets::build() {
         const bool wear = !zeros_ && value->wear();
         return {value->text(value->present), pending ? t.warn : value->present == 0 ? t.faint : wear ? t.accent : t.text, pending ? Sign::Wait : Sign::None, now};
     };
-    const int first = byEdges() ? 2 : 1;
-    if (table_->column() < first || table_->column() >= static_cast<int>(table_->columns.size())) table_->choose(table_->row(), first);
+    if (table_->column() < (byEdges() ? 2 : 1) || table_->column() >= static_cast<int>(table_->columns.size())) table_->choose(table_->row(), firstColumn());
+}
+
+// Where keys go to at the beginning: of an edge its first length, not its type.
+int Offsets::firstColumn() const {
+    if (!byEdges()) return 1;
+    const auto length = std::find(parameters_.begin(), parameters_.end(), kDpLength);
+    return length == parameters_.end() ? 2 : static_cast<int>(length - parameters_.begin());
 }
 
 bool Offsets::active(int row) const {
@@ -379,6 +385,7 @@ void Offsets::askHistory() {
     const QString about = value->ofEdge() ? QString("tool %1 D%2 DP%3").arg(value->edge.tool).arg(value->edge.edge).arg(value->dp) : zeros_ ? QString("%1 %2 place %3").arg(words[1], words[2]).arg(value->place + 1) : QString("%1 offset %2 %3 %4").arg(words[1], words[2], words[3], words[4]);
     desk_.requests.store({{"do", "history.list"}, {"of", about}, {"most", 40}}, [this, of = historyOf_, value = *value](const Answer& answer) {
         if (!answer.ok || historyOf_ != of) return;
+        history_.clear();   // it may have been asked for twice
         for (const auto& entry : answer.object.value("history").toArray()) {
             const QJsonObject one = entry.toObject();
             const auto number = [&](const char* name) { return value.text(one.value(name).toString().toDouble()); };

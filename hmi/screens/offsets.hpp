@@ -87,6 +87,7 @@ private:
     void takeEdges();              // the rows of edges, as tools come and go
     void newEdge();
     bool byEdges() const { return edged_ && !zeros_; }
+    int firstColumn() const;
     bool active(int row) const;    // the running block works with it
     bool zeros_ = false, partsShown_ = false, edged_ = false;
     unsigned built_ = 0;

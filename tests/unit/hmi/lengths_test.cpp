@@ -133,6 +133,7 @@ TEST_F(InchTasks, NoScreenSaysMillimetres) {
     Operator(*window).screen("overview");
     frames(*window);
     EXPECT_TRUE(standsOn(window->screen()->sheets(), "inch/min"));
+    noWordIsShortened(*window);   // longer names of units, one digit more
 }
 
 }  // namespace
