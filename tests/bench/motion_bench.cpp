@@ -18,6 +18,7 @@
 
 #include "channels/path/path_maker.hpp"
 #include "kernel/motion/path_planner.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn {
 namespace {
@@ -182,7 +183,7 @@ Driven drive(const Part& part) {
 void report() {
     std::printf("%-12s %8s %8s %10s %10s %7s   %s\n", "part", "records", "stops", "planner s", "least s", "ratio", "of the axes' limits: v a j");
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(POLYTURN_SOURCE_DIR) / "tests/bench/parts")) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(kSourceFolder) / "tests/bench/parts")) {
         if (entry.path().extension() == ".part") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());

@@ -10,6 +10,7 @@
 #include "../unit/toolmgmt/store_rig.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/param_file.hpp"
+#include "tests/places.hpp"
 #include "toolmgmt/database.hpp"
 #include "toolmgmt/tools/places.hpp"
 #include "toolmgmt/tools/search.hpp"
@@ -116,7 +117,7 @@ BENCHMARK(BM_Start)->Unit(benchmark::kMillisecond)->Iterations(5);
 
 // --- through the real process, as the kernel sees it
 
-const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+const std::string kMachine = std::string(kSourceFolder) + "/examples/machines/twin-turret";
 
 // A store on disk with 1000 tools in magazine 1, and its process.
 struct Running {

@@ -12,13 +12,14 @@
 #include <tuple>
 
 #include "../unit/toolmgmt/store_rig.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
 using namespace polyturn;
 using polyturn::test::StoreRig;
 
-const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+const std::string kMachine = std::string(kSourceFolder) + "/examples/machines/twin-turret";
 
 unsigned rounds() {
     const char* chosen = std::getenv("POLYTURN_STORE_KILLS");

@@ -14,6 +14,7 @@
 
 #include "channels/fanuc/g_codes.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/channels/file_content.hpp"
 
 namespace polyturn::channels {
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const char* language) { return fs::path(POLYTURN_SOURCE_DIR) / "tests/golden" / language; }
+fs::path folder_of(const char* language) { return fs::path(kSourceFolder) / "tests/golden" / language; }
 
 // A block of a golden program: in which system it is written, its G codes in tenths and the letters of its words. Comments do not
 // count, nor do the letters of ",C", ",R" and ",A", which are words of their own.
@@ -163,7 +164,7 @@ TEST(GoldenPrograms, HaveEveryAlarmThatAProgramCanCause) {
     for (std::uint16_t id = 0; id < kAlarmCount; ++id) rows[alarm_row(static_cast<Alarm>(id)).key] = &alarm_row(static_cast<Alarm>(id));
     std::set<std::string> used;
     for (const char* folder : {"fanuc", "nct", "cycles", "compensation", "corners", "state", "text", "path", "check"})
-        for (const auto& entry : fs::directory_iterator(fs::path(POLYTURN_SOURCE_DIR) / "channels" / folder)) {
+        for (const auto& entry : fs::directory_iterator(fs::path(kSourceFolder) / "channels" / folder)) {
             if (!entry.is_regular_file()) continue;
             const std::string text = content(entry.path());
             for (std::size_t at = 0; (at = text.find("Alarm::", at)) != std::string::npos;) {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "channels/check/check_mode.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/channels/file_content.hpp"
 
 namespace polyturn::channels {
@@ -27,7 +28,7 @@ std::vector<GoldenCase> cases() {
     std::vector<GoldenCase> found;
     for (const char* language : {"fagor", "fanuc", "mefi", "nct", "sinumerik"}) {
         std::error_code error;
-        for (const auto& entry : fs::directory_iterator(fs::path(POLYTURN_SOURCE_DIR) / "tests/golden" / language, error))
+        for (const auto& entry : fs::directory_iterator(fs::path(kSourceFolder) / "tests/golden" / language, error))
             if (entry.is_directory()) found.push_back({entry.path(), language});
     }
     std::sort(found.begin(), found.end(), [](const GoldenCase& a, const GoldenCase& b) { return a.folder < b.folder; });
@@ -38,7 +39,7 @@ std::vector<GoldenCase> cases() {
 std::string run(const GoldenCase& golden) {
     CheckOptions options;
     options.language = golden.language;
-    options.machine.machine = (fs::path(POLYTURN_SOURCE_DIR) / "examples/machines/twin-turret").string();
+    options.machine.machine = (fs::path(kSourceFolder) / "examples/machines/twin-turret").string();
     options.program = (golden.folder / "program.nc").string();
     options.alone = options.variables = true;
     options.silent_steps = 400'000;   // a golden program registers 65535 blocks in silence
@@ -60,7 +61,7 @@ std::string run(const GoldenCase& golden) {
 
 // What the simulated machine tells, on standard output.
 std::string run_machine(const GoldenCase& golden) {
-    std::string command = "cd '" + golden.folder.string() + "' && " POLYTURN_BIN_DIR "/polyturn run --virtual --variables --language " + golden.language + " --scenario scenario.toml";
+    std::string command = "cd '" + golden.folder.string() + "' && " + std::string(kProgramFolder) + "/polyturn run --virtual --variables --language " + golden.language + " --scenario scenario.toml";
     if (fs::exists(golden.folder / "setup.toml")) command += " --setup setup.toml";
     std::istringstream sets(content(golden.folder / "sets"));
     for (std::string line; std::getline(sets, line);)
@@ -95,7 +96,7 @@ TEST(GoldenPrograms, PrintWhatWasReviewed) {
     for (const GoldenCase& golden : all) {
         SCOPED_TRACE(content(golden.folder / "README"));
         const bool machine = fs::exists(golden.folder / "scenario.toml");
-        if (machine && !fs::exists(POLYTURN_BIN_DIR "/polyturn")) continue;
+        if (machine && !fs::exists(std::string(kProgramFolder) + "/polyturn")) continue;
         const std::string printed = machine ? run_machine(golden) : run(golden);
         if (std::getenv("POLYTURN_BLESS")) {
             std::ofstream(golden.folder / "expected.jsonl", std::ios::binary) << printed;

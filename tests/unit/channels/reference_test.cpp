@@ -12,6 +12,7 @@
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/fanuc/reference.hpp"
 #include "channels/sinumerik/reference.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::channels::testing {
 namespace {
@@ -21,7 +22,7 @@ class WordsOf : public ReferenceWords {
 public:
     explicit WordsOf(std::size_t column) : column_(column) {
         if (!column) return;
-        std::ifstream file(std::string(POLYTURN_SOURCE_DIR) + "/channels/reference_words.txt");
+        std::ifstream file(std::string(kSourceFolder) + "/channels/reference_words.txt");
         for (std::string line; std::getline(file, line);) {
             if (line.empty() || line[0] == '#') continue;
             std::vector<std::string> cells(1);
@@ -67,7 +68,7 @@ TEST(LanguageReference, IsCurrentInEveryLanguage) {
         const WordsOf words(column);
         for (const Page& page : kPages) {
             SCOPED_TRACE(page.language + std::string(kEndings[column]));
-            const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/docs/reference_" + page.language + kEndings[column] + ".md", printed = page.print(words);
+            const std::string path = std::string(kSourceFolder) + "/docs/reference_" + page.language + kEndings[column] + ".md", printed = page.print(words);
             if (std::getenv("POLYTURN_BLESS")) {
                 std::ofstream(path) << printed;
                 continue;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ipc/machine/load_machine.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using Kind = CompensationCurve::Kind;
 
 std::vector<CompensationCurve> curvesOf(const std::vector<std::string>& lines, const std::string& cells) {
-    LoadedMachine loaded = load_machine({std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret", {}, lines});
+    LoadedMachine loaded = load_machine({std::string(kSourceFolder) + "/examples/machines/twin-turret", {}, lines});
     for (const Diagnosis& one : loaded.diagnoses) ADD_FAILURE() << one.text();
     std::vector<Diagnosis> wrong;
     const CompensationTables tables = parse_compensation(cells, "machine.compensation", wrong);

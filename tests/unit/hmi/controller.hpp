@@ -13,6 +13,7 @@
 
 #include "hmi/app/main_window.hpp"
 #include "hmi/widgets/table.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::hmi {
 
@@ -64,7 +65,7 @@ public:
     QString name;
 
 private:
-    static QString program() { return QString(POLYTURN_BIN_DIR) + "/polyturn"; }
+    static QString program() { return QString(kProgramFolder) + "/polyturn"; }
     QString machine_;                              // of the examples; empty: the default one
     QStringList parameters_;                       // of its own, «N0104=00000001»
     QProcess process_;

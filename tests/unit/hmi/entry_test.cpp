@@ -8,6 +8,7 @@
 #include "hmi/screens/parameters.hpp"
 #include "hmi/screens/programs.hpp"
 #include "hmi/screens/tools.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -131,7 +132,7 @@ TEST_F(Entry, SignsOfProgramsAreTypedByTouch) {
 }
 
 TEST(EntrySources, NoFieldIsDrawnByHand) {
-    for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+    for (QDirIterator files(QString(kSourceFolder) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         const bool widget = file.fileName().endsWith("/sheet.cpp") || file.fileName().endsWith("/number_pad.cpp") || file.fileName().endsWith("/tools_tables.cpp");   // the last: a cell of the table, with letters beneath it

@@ -4,6 +4,7 @@
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/screens/programs.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
 
@@ -150,7 +151,7 @@ TEST_F(Forms, ACallInBracketsIsAFormToo) {
 }
 
 TEST_F(Forms, ADescribedContourOpensInAFreshPage) {
-    ASSERT_TRUE(editor().open(QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc", "fanuc"));
+    ASSERT_TRUE(editor().open(QString(kSourceFolder) + "/examples/programs/O0050.nc", "fanuc"));
     const int at = static_cast<int>(text().left(text().indexOf("(CONTOUR DIA")).count('\n'));
     cursor(at + 1);
     hand->soft("Contour");

@@ -5,6 +5,7 @@
 #include "hmi/screens/graphics.hpp"
 #include "hmi/screens/kept_paths.hpp"
 #include "hmi/screens/programs.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -484,7 +485,7 @@ TEST(DryRuns, AreShownAgainAfterARestart) {
             window.showScreen(2);
             Operator hand(window);
             programsOf(window)->turnTo(0);
-            programsOf(window)->filesPage().readFolder(QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft", "shaft.job.toml");
+            programsOf(window)->filesPage().readFolder(QString(kSourceFolder) + "/examples/jobs/shaft", "shaft.job.toml");
             ASSERT_TRUE(waitFor([&] { return programsOf(window)->filesPage().isJob(); }));
             hand.soft(page);
             ASSERT_TRUE(waitFor([&] { return !programsOf(window)->busy() && programsOf(window)->dryRun().channels().size() == 2; }, 120)) << page;

@@ -11,6 +11,7 @@
 
 #include "hmi/app/help_language.hpp"
 #include "hmi/app/help_slices.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr const char* kHandbookLanguages[] = {"ru", "cs", "hu"};
 constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md", "builder.md", "shop.md"};
 
-QString handbookFolder() { return QString(POLYTURN_SOURCE_DIR) + "/docs"; }
+QString handbookFolder() { return QString(kSourceFolder) + "/docs"; }
 
 QString handbookText(const QString& path) {
     QFile file(path);
@@ -67,7 +68,7 @@ std::set<QString> namesIn(const QString& markdown) {
 std::set<std::pair<QString, QString>> placesAskedFor() {
     static const QRegularExpression kLiteral("\"((?:[^\"\\\\]|\\\\.)*)\""), kPage("^[a-z_]+\\.md$");
     std::set<std::pair<QString, QString>> out;
-    for (QDirIterator all(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); all.hasNext();) {
+    for (QDirIterator all(QString(kSourceFolder) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); all.hasNext();) {
         QStringList before;                        // a list of places stands above its page
         for (QString line : handbookText(all.next()).split('\n')) {
             const bool list = line.contains("kFind[]");
@@ -120,7 +121,7 @@ TEST(Handbook, EveryKeyThatAPageNamesIsOnTheScreens) {
     for (const char* language : {"en", "ru", "cs", "hu"}) {
         const bool english = QString(language) == "en";
         std::set<QString> words = {"polyturn", "?"};   // a controller's name; a sign in the contour's picture
-        const QString texts = handbookText(QString(POLYTURN_SOURCE_DIR) + "/hmi/translations/polyturn_" + (english ? "ru" : language) + ".ts");
+        const QString texts = handbookText(QString(kSourceFolder) + "/hmi/translations/polyturn_" + (english ? "ru" : language) + ".ts");
         const QRegularExpression entry(english ? "<source>([^<]*)</source>" : "<translation>([^<]*)</translation>");
         for (auto found = entry.globalMatch(texts); found.hasNext();) words.insert(found.next().captured(1).remove(kPlace).simplified());
         for (const char* page : kHandbookPages) {

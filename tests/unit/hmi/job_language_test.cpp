@@ -3,6 +3,7 @@
 
 #include "hmi/screens/overview.hpp"
 #include "hmi/screens/programs.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -21,7 +22,7 @@ protected:
     void TearDown() override {
         g_controller->press("reset");
         g_controller->press("ignore_waits L1=off");
-        g_controller->press("select " + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml");
+        g_controller->press("select " + QString(kSourceFolder) + "/examples/jobs/shaft/shaft.job.toml");
     }
     void write(const QString& name, const char* text) {
         QFile file(folder.filePath(name));

@@ -5,11 +5,13 @@
 #include <QRegularExpression>
 #include <QString>
 
+#include "tests/places.hpp"
+
 namespace polyturn::hmi {
 
 // The demonstration machine with further channels, each with X and Z like those of its second one; from `second` on they are machine group 2.
 inline QByteArray machineWith(int channels, int second = 99) {
-    QFile file(QString(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret/machine.params");
+    QFile file(QString(kSourceFolder) + "/examples/machines/twin-turret/machine.params");
     if (!file.open(QIODevice::ReadOnly)) return {};
     const QString text = QString::fromUtf8(file.readAll());
     QString out = text;

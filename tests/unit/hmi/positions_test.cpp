@@ -4,6 +4,7 @@
 
 #include "hmi/screens/offsets.hpp"
 #include "ipc/machine/work_zeros.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -226,7 +227,7 @@ TEST_F(Positions, TheLargeNumberByHandIsTheWorkpiecesAsOnTheOverview) {
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-100"));
     g_controller->press("reset");
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
-    ASSERT_TRUE(g_controller->press("select L1=" + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/O1001.nc"));   // it begins with the zero as entered, whatever ran before
+    ASSERT_TRUE(g_controller->press("select L1=" + QString(kSourceFolder) + "/examples/jobs/shaft/O1001.nc"));   // it begins with the zero as entered, whatever ran before
     Operator hand(*window);
     for (const char* name : {"overview", "manual"}) {
         SCOPED_TRACE(name);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hmi/app/main_window.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::hmi {
 
@@ -21,7 +22,7 @@ inline const std::set<QString>& ownWords(Tongue tongue) {
     std::set<QString>& out = all[tongue];
     if (!out.empty()) return out;
     static const QRegularExpression kSource("<source>([^<]*)</source>"), kTranslation("<translation>([^<]*)</translation>");
-    QFile file(QString("%1/hmi/translations/polyturn_%2.ts").arg(POLYTURN_SOURCE_DIR, tongue == Tongue::English ? QString("ru") : QString(codeOf(tongue))));
+    QFile file(QString("%1/hmi/translations/polyturn_%2.ts").arg(QString(kSourceFolder), tongue == Tongue::English ? QString("ru") : QString(codeOf(tongue))));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
     for (auto found = (tongue == Tongue::English ? kSource : kTranslation).globalMatch(QString::fromUtf8(file.readAll())); found.hasNext();) {
         QString text = found.next().captured(1);
@@ -43,7 +44,7 @@ inline void eachPage(MainWindow& window, ProgramPages wanted, const std::functio
         const QString name = window.screen()->name(), before = window.screen()->state();
         const bool programs = name == "programs", asItIs = programs && wanted == ProgramPages::AsTheyAre;
         if (programs && !asItIs) {   // with a job in the list: without one there is only this page
-            window.screen()->restore(QString("0|") + POLYTURN_SOURCE_DIR + "/examples/jobs/shaft/shaft.job.toml");
+            window.screen()->restore(QString("0|") + kSourceFolder + "/examples/jobs/shaft/shaft.job.toml");
             settled([&] { return window.screen()->pages() > 1; });
             EXPECT_GT(window.screen()->pages(), 1);
         }

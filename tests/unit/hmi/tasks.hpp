@@ -1,6 +1,7 @@
 // A window on a real controller with a two-channel job, for tests that act as an operator does. One controller serves all of them.
 #pragma once
 #include "hmi/machine/channel_words.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
 
@@ -31,7 +32,7 @@ protected:
         throw std::runtime_error("no such screen");
     }
     void startJob() {
-        const QString job = QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml";
+        const QString job = QString(kSourceFolder) + "/examples/jobs/shaft/shaft.job.toml";
         ASSERT_TRUE(g_controller->press("select " + job));
         ASSERT_TRUE(g_controller->press("cycle_start"));
         ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; })) << waitWords(live(), 1).toStdString();

@@ -8,6 +8,7 @@
 #include "hmi/screens/programs.hpp"
 #include "hmi/screens/system.hpp"
 #include "ipc/machine/work_zeros.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -66,7 +67,7 @@ TEST_F(Tasks, UndoTakesBackOnlyWhatStillStandsThere) {
 
 TEST_F(Tasks, SelectAJobAndStartItInFiveActions) {
     Programs& programs = screenOf<Programs>();
-    programs.restore("0|" + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/O1001.nc");   // the folder shown last
+    programs.restore("0|" + QString(kSourceFolder) + "/examples/jobs/shaft/O1001.nc");   // the folder shown last
     Operator hand(*window);
     hand.screen("programs");
     int row = -1;
@@ -243,7 +244,7 @@ class FreshTasks : public Tasks {};
 
 // Nothing that would only be interrupted is started, and what is missing is said before.
 TEST_F(FreshTasks, AStartSaysThatNoProgramIsSelected) {
-    const QString program = QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc";
+    const QString program = QString(kSourceFolder) + "/examples/programs/O0050.nc";
     ASSERT_TRUE(waitFor([&] { return lacksProgram(live(), 1) && lacksProgram(live(), 2); }));
     EXPECT_TRUE(startNeeds(live(), 1).join(' ').contains("no program is selected")) << startNeeds(live(), 1).join(' ').toStdString();
     EXPECT_TRUE(startPlan(live(), 0).begin.empty());
@@ -349,7 +350,7 @@ TEST_F(Tasks, HoldStartAndResetHaveTheirPlacesOnEveryScreen) {
 // By a finger and the wheel too, and a bar shows that there is more.
 TEST_F(Tasks, TheSynchronisedViewIsScrolledByTouch) {
     Programs& programs = screenOf<Programs>();
-    programs.restore(QString("0|") + POLYTURN_SOURCE_DIR + "/examples/jobs/shaft/shaft.job.toml");
+    programs.restore(QString("0|") + kSourceFolder + "/examples/jobs/shaft/shaft.job.toml");
     Operator hand(*window);
     hand.screen("programs");
     hand.soft("Check, waits");

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "ipc/machine/load_machine.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 // «L2 M72» and so on; «L2 jog» for a way.
 std::vector<std::string> said(const char* machine, const std::vector<std::string>& lines = {}) {
-    const LoadedMachine loaded = load_machine({std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/" + machine, {}, lines});
+    const LoadedMachine loaded = load_machine({std::string(kSourceFolder) + "/examples/machines/" + machine, {}, lines});
     EXPECT_TRUE(loaded.table) << machine;
     if (!loaded.table) return {};
     const MachineConfig config = derive_machine_config(*loaded.table);

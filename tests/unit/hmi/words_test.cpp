@@ -10,6 +10,7 @@
 #include "hmi/app/help_view.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/painted.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -29,7 +30,7 @@ QStringList tokensOf(const QString& text, int least) {
 }
 
 QString contentOf(const QString& name) {
-    QFile file(QString(POLYTURN_SOURCE_DIR) + "/" + name);
+    QFile file(QString(kSourceFolder) + "/" + name);
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
     return QString::fromUtf8(file.readAll());
 }
@@ -132,7 +133,7 @@ protected:
         }
         window->showOver(MainWindow::Over::Screen);
     }
-    const QString shaft = QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml";
+    const QString shaft = QString(kSourceFolder) + "/examples/jobs/shaft/shaft.job.toml";
 };
 
 TEST_F(Words, NoneIsLeftInEnglish) {
@@ -229,7 +230,7 @@ TEST(WordSources, NoSentenceStandsOutsideTheWords) {
     const QStringList kNotShown{"reference all", "loading station", "working area", "too large", "too small", R"(auto repeat delay:\\s*(\\d+)\\s+repeat rate:\\s*(\\d+))", "not been booted with systemd", "yyyy-MM-ddTHH:mm:ss", " (beyond the edge)"};
     static const QRegularExpression kLiteral(R"re("((?:[^"\\]|\\.)*)")re"), kSentence("[A-Za-z]{3,}[ ,:]+[a-z]{2,}"), kWords(R"((?:word|WORD)\($)");
     int seen = 0;
-    for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+    for (QDirIterator files(QString(kSourceFolder) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         if (file.fileName().endsWith("/main.cpp") || file.fileName().endsWith("/screenshots.cpp")) continue;   // of the command line
@@ -250,7 +251,7 @@ TEST(WordSources, NoSentenceStandsOutsideTheWords) {
 
 // Words beside the sheets go through paintWords(), where this file hears them.
 TEST(WordSources, NoWordIsPaintedByHand) {
-    for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+    for (QDirIterator files(QString(kSourceFolder) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         const bool widget = file.fileName().endsWith("/set_words.cpp") || file.fileName().endsWith("/painted.cpp");

@@ -1,9 +1,11 @@
 // A PLC in a library of its own: what is wrong with a file, and what a PLC does that begins beside a machine.
 #include "kernel/plc/builder_plc.hpp"
+#include "tests/places.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 
 namespace polyturn::plc {
 namespace {
@@ -11,7 +13,7 @@ namespace {
 TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
     // The machine has run for a while when this PLC comes; an M3 of before stands in the inputs.
     const auto table = std::make_unique<params::Table>(params::defaults());
-    auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    auto plc = BuilderPlc::load(std::string(kProgramFolder) + "/liblathe_plc.so");
     ASSERT_TRUE(plc) << plc.diagnosis().text();
     PlcMemory memory;
     ASSERT_TRUE(plc->init(*table, 0.001, memory));
@@ -30,7 +32,7 @@ TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
 
 TEST(LathePlcStart, TakesTheFirstCodeOfAFreshMachine) {
     const auto table = std::make_unique<params::Table>(params::defaults());
-    auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    auto plc = BuilderPlc::load(std::string(kProgramFolder) + "/liblathe_plc.so");
     PlcMemory memory;
     ASSERT_TRUE(plc && plc->init(*table, 0.001, memory));
     auto in = std::make_unique<PlcInputs>();
@@ -46,8 +48,8 @@ TEST(LathePlcStart, TakesTheFirstCodeOfAFreshMachine) {
 }
 
 TEST(BuilderPlcLoad, SaysWhatIsWrongWithAFile) {
-    struct Row { const char* library; Alarm alarm; };
-    for (const Row& row : {Row{"/nowhere/plc.so", Alarm::PlcLoad}, Row{POLYTURN_SOURCE_DIR "/LICENSE", Alarm::PlcLoad}, Row{"libm.so.6", Alarm::PlcLoad}}) {
+    struct Row { std::string library; Alarm alarm; };
+    for (const Row& row : {Row{"/nowhere/plc.so", Alarm::PlcLoad}, Row{std::string(kSourceFolder) + "/LICENSE", Alarm::PlcLoad}, Row{"libm.so.6", Alarm::PlcLoad}}) {
         SCOPED_TRACE(row.library);
         const auto plc = BuilderPlc::load(row.library);
         ASSERT_FALSE(plc);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "ipc/memory/segment.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::plc {
 namespace {
@@ -39,7 +40,7 @@ protected:
         child_ = fork();
         ASSERT_GE(child_, 0);
         if (child_ == 0) {
-            const std::string program = POLYTURN_BIN_DIR "/polyturn-plc";
+            const std::string program = std::string(kProgramFolder) + "/polyturn-plc";
             execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library", library.c_str(), retained.empty() ? nullptr : "--retained", retained.c_str(), nullptr);
             _exit(127);
         }
@@ -92,7 +93,7 @@ protected:
 };
 
 TEST_F(PlcProcess, AnswersEachCycleAndEndsWhenAsked) {
-    start(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    start(std::string(kProgramFolder) + "/liblathe_plc.so");
     attach();
     inputs.signal[signals::n_machine_on()] = 1;
     for (int i = 0; i < 200; ++i) ASSERT_TRUE(cycle());
@@ -108,7 +109,7 @@ TEST_F(PlcProcess, AnswersEachCycleAndEndsWhenAsked) {
 }
 
 TEST_F(PlcProcess, BuilderExampleWorks) {
-    start(POLYTURN_BIN_DIR "/minimal_plc.so");
+    start(std::string(kProgramFolder) + "/minimal_plc.so");
     attach();
     ASSERT_TRUE(cycle());
     inputs.signal[signals::cn_mcode(1)] = 8;
@@ -133,7 +134,7 @@ protected:
         inputs = {}, outputs = {}, cycle_ = 0;
         (*kernel_).plc_inputs.write(PlcInputs{});
         plc_ = {};
-        start(POLYTURN_BIN_DIR "/keeping_plc.so", folder_ + "/plc.retained");
+        start(std::string(kProgramFolder) + "/keeping_plc.so", folder_ + "/plc.retained");
         attach();
         for (int i = 0; i < cycles; ++i) {
             ASSERT_TRUE(cycle());
@@ -175,7 +176,7 @@ TEST_F(PlcKeeps, MemoryThatItReadsAndWritesItselfAtOnceOneInACycleOrQueued) {
 }
 
 TEST_F(PlcProcess, FastTaskAnswersEveryTickAndComesBeforeTheCycleOfItsTick) {
-    start(POLYTURN_BIN_DIR "/fast_plc.so");
+    start(std::string(kProgramFolder) + "/fast_plc.so");
     attach();
     const PlcFastPlan& plan = plc_->fast_plan;
     ASSERT_EQ(plan.reads, 2u);
@@ -223,7 +224,7 @@ struct Fault { const char* library; bool signal; int number; };
 class PlcFault : public PlcProcess, public ::testing::WithParamInterface<Fault> {};
 
 TEST_P(PlcFault, EndsTheProcessAndTheLastOutputsStayWhole) {
-    start(std::string(POLYTURN_BIN_DIR "/") + GetParam().library);
+    start(std::string(kProgramFolder) + "/" + GetParam().library);
     attach();
     for (int i = 0; i < 100; ++i) ASSERT_TRUE(cycle());
     EXPECT_FALSE(cycle());
@@ -240,14 +241,14 @@ INSTANTIATE_TEST_SUITE_P(Builders, PlcFault,
 TEST_F(PlcProcess, PlcThatDoesNotStartIsRefusedWithExitStatus2) {
     for (const char* library : {"unready_plc.so", "old_plc.so", "nowhere_plc.so"}) {
         SCOPED_TRACE(library);
-        start(std::string(POLYTURN_BIN_DIR "/") + library);
+        start(std::string(kProgramFolder) + "/" + library);
         ASSERT_TRUE(dies());
         EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 2) << status_;
     }
 }
 
 TEST_F(PlcProcess, FollowsToANewKernel) {
-    start(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    start(std::string(kProgramFolder) + "/liblathe_plc.so");
     attach();
     ASSERT_TRUE(cycle());
     auto next = OwnSegment<KernelSegment>::create(instance_, 8);

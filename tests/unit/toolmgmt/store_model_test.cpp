@@ -14,6 +14,7 @@
 #include <string>
 
 #include "ipc/machine/load_machine.hpp"
+#include "tests/places.hpp"
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/database.hpp"
 
@@ -30,7 +31,7 @@ struct Folder {
 };
 
 const params::Table& machine_table() {
-    static const LoadedMachine loaded = load_machine_file(std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret");
+    static const LoadedMachine loaded = load_machine_file(std::string(kSourceFolder) + "/examples/machines/twin-turret");
     return *loaded.table;
 }
 

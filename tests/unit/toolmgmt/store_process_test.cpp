@@ -9,13 +9,14 @@
 #include "ipc/image/store_news.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/registry.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
 using namespace polyturn;
 using polyturn::test::StoreRig;
 
-const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+const std::string kMachine = std::string(kSourceFolder) + "/examples/machines/twin-turret";
 
 std::string write_file(const StoreRig& rig, const std::string& name, const std::string& text) {
     const std::string path = rig.folder + "/" + name;

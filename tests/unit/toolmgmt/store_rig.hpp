@@ -19,6 +19,7 @@
 
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/memory/segment.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn::test {
 
@@ -43,7 +44,7 @@ public:
 
     // Starts the program; true when it has published. Its messages go to folder/stderr.
     bool start(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {std::string(POLYTURN_BIN_DIR) + "/polyturn-toolmgmt", "--instance", instance});
+        arguments.insert(arguments.begin(), {std::string(kProgramFolder) + "/polyturn-toolmgmt", "--instance", instance});
         pid = spawn(arguments);
         for (int ms = 0; ms < 10'000; ms += 2) {
             auto peer = PeerSegment<StoreSegment>::attach(instance);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tests/places.hpp"
 #include "toolmgmt/schema.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ using namespace polyturn;
 using polyturn::test::StoreRig;
 using Json = nlohmann::json;
 
-const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+const std::string kMachine = std::string(kSourceFolder) + "/examples/machines/twin-turret";
 
 Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::Maker) {
     const std::string text = operation.dump();

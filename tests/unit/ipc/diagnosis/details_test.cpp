@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/places.hpp"
 #include "tests/unit/ipc/left_english.hpp"
 
 namespace polyturn {
@@ -66,7 +67,7 @@ TEST(Details, NoRefusalIsWithoutARow) {
     const std::regex call(R"((?:fault|alarm|raise|refuse)\(Alarm::\w+,[^;{}]*\)|\{Alarm::\w+, \{\}, \{\}, [^;{}]*\})"), literal(R"re("((?:[^"\\]|\\.)*)")re"), words("[a-z]{3,} [a-z]{2,}");
     std::size_t seen = 0;
     for (const char* folder : {"toolmgmt", "kernel/cyclic"})
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(POLYTURN_SOURCE_DIR) + "/" + folder)) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(kSourceFolder) + "/" + folder)) {
             if (entry.path().extension() != ".cpp") continue;
             std::ifstream file(entry.path());
             std::string line;

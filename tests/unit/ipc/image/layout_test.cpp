@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "ipc/image/segments.hpp"
+#include "tests/places.hpp"
 
 namespace polyturn {
 namespace {
@@ -27,7 +28,7 @@ std::string listing() {
 }
 
 TEST(ImageLayout, IsTheReviewedOne) {
-    const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/tests/golden/image_layout.txt";
+    const std::string path = std::string(kSourceFolder) + "/tests/golden/image_layout.txt";
     if (std::getenv("POLYTURN_BLESS")) {
         std::ofstream(path) << listing();
         GTEST_SKIP() << "read the diff";

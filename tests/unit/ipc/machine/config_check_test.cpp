@@ -9,6 +9,7 @@
 
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/params/param_file.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ std::string read(const std::string& path) {
 
 params::Table twin_turret_with(const std::vector<const char*>& lines) {
     params::Table table = params::defaults();
-    const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret/machine.params";
+    const std::string path = std::string(kSourceFolder) + "/examples/machines/twin-turret/machine.params";
     const auto file = params::parse_param_file(read(path), path);
     EXPECT_TRUE(file.ok());
     EXPECT_TRUE(params::apply(table, file));

@@ -9,12 +9,13 @@
 #include "ipc/machine/room.hpp"
 #include "ipc/machine/room_bodies.hpp"
 #include "ipc/params/registry.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
 using namespace polyturn;
 
-const std::string kTwinTurret = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+const std::string kTwinTurret = std::string(kSourceFolder) + "/examples/machines/twin-turret";
 
 TEST(TwinTurret, IsTheMachineThatTheCommandLinePromises) {
     const LoadedMachine loaded = load_machine({kTwinTurret, {}, {}});
@@ -82,7 +83,7 @@ TEST(TwinTurret, HasARoomForItsParts) {
 // The ram of the vertical lathe goes 30 degrees out of the level; what a tool is long counts at right angles (fanuc_lathe 10.5).
 TEST(VerticalInclined, TheTipOfATool) {
     std::vector<Diagnosis> diagnoses;
-    const LoadedMachine loaded = load_machine_file(std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/vertical-inclined");
+    const LoadedMachine loaded = load_machine_file(std::string(kSourceFolder) + "/examples/machines/vertical-inclined");
     const MachineConfig machine = derive_machine_config(*loaded.table);
     const Room room = load_room(loaded.room_file, machine, diagnoses);
     std::array<double, kChannelAxes> shift{};

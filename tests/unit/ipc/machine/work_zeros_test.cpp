@@ -8,6 +8,7 @@
 #include "ipc/machine/apply_setup.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/store_requests.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ TEST(KeptVariables, AreTheLastFiveHundredOfTheHash) {
 }
 
 TEST(ApplySetup, DiagnosesWhatTheMachineDoesNotHaveAndEntersTheRest) {
-    const LoadedMachine loaded = load_machine_file(std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret");
+    const LoadedMachine loaded = load_machine_file(std::string(kSourceFolder) + "/examples/machines/twin-turret");
     const MachineConfig machine = derive_machine_config(*loaded.table);
     std::vector<Diagnosis> diagnoses;
     const text::Setup setup = text::parse_setup(R"(

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/places.hpp"
+
 namespace {
 
 constexpr const char* kHeader = "number,name,group,scope,type,unit,min,max,default,effect,protection,acts,bits,meaning\n";
@@ -22,7 +24,7 @@ Outcome generate(const std::string& table, const char* translated = nullptr) {
     const auto folder = std::filesystem::temp_directory_path() / ("polyturn_generator_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "table.csv") << table;
-    const std::string command = "python3 " POLYTURN_SOURCE_DIR "/tools/generate_parameters.py " + (folder / "table.csv").string() + " " +
+    const std::string command = "python3 " + std::string(kSourceFolder) + "/tools/generate_parameters.py " + (folder / "table.csv").string() + " " +
                                 (folder / "handles.hpp").string() + " " + (folder / "rows.cpp").string() +
                                 (translated ? " " + (folder / "tongues.hpp").string() : "") + " 2>&1";
     for (const char* code : {"ru", "cs", "hu"})
