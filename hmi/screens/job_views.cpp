@@ -141,18 +141,23 @@ void Programs::composeTime(Writer& w) {
     const double end = dry_.end();
     const auto& channels = dry_.channels();
     if (channels.empty() || end <= 0) return;
-    const double left = px(74), right = wide - px(200), top = px(54), each = std::min<double>(px(130), (high - foot - top - px(50)) / static_cast<double>(channels.size()));
+    // The meanings of the lines stand beside the whole time, in as many rows as a narrow panel needs.
+    const double left = px(74), right = wide - px(200), meaning = px(150);
+    const int across = std::max(1, static_cast<int>((right - left) / meaning)), meanings = 5;
+    const double top = px(54) + px(26) * ((meanings - 1) / across), each = std::min<double>(px(130), (high - foot - top - px(50)) / static_cast<double>(channels.size()));
     const auto at = [&](double seconds) { return left + (right - left) * seconds / end; };
     // what the lines mean
     const TimeLook waits{TimeShape::Hollow, t.wait};
     const std::pair<const char*, TimeLook> keys[] = {{WORD("Cutting"), spanLook(RunSpan::Kind::Cutting)}, {WORD("Rapid"), spanLook(RunSpan::Kind::Rapid)}, {WORD("Dwell"), spanLook(RunSpan::Kind::Dwell)}, {WORD("Waiting"), waits}};
-    double key = left;
-    const auto named = [&](const char* text) {
-        w.text(QRectF(key + px(34), px(10), px(112), px(28)), word(text), lettering(14), t.dim);
-        key += px(150);
+    int count = 0;
+    const auto named = [&](const char* text, const auto& draw) {
+        const double x = left + meaning * (count % across), y = px(10) + px(26) * (count / across);
+        draw(QRectF(x, y + px(5), px(26), px(18)));
+        w.text(QRectF(x + px(34), y, meaning - px(38), px(28)), word(text), lettering(14), t.dim);
+        ++count;
     };
-    for (const auto& [text, look] : keys) drawTimeShape(w, look.shape, QRectF(key, px(15), px(26), px(18)), look.colour), named(text);
-    w.fill(QRectF(key, px(22), px(26), px(4)), t.text), named(WORD("Decides the time"));
+    for (const auto& [text, look] : keys) named(text, [&](const QRectF& sample) { drawTimeShape(w, look.shape, sample, look.colour); });
+    named(WORD("Decides the time"), [&](const QRectF& sample) { w.fill(QRectF(sample.left(), sample.top() + px(7), sample.width(), px(4)), t.text); });
     w.text(QRectF(right + px(10), px(8), px(182), px(30)), word("%1 in all").arg(timeText(end)), lettering(17, true), t.text, kRight);
     double y = top, longest = 0;
     unsigned longestChannel = 0;
