@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,27 @@ TEST(ParameterTongues, ATranslationNamesTheSameParametersAsTheEnglishRow) {
     };
     for (const Tongue tongue : kOthers)
         for (const Row& row : rows()) EXPECT_EQ(named(words_of(row, tongue).meaning), named(row.meaning)) << static_cast<int>(tongue) << ' ' << row.number;
+}
+
+// The states of a bit (0 and 1), counts and limits are facts too: a translation that forgets the 0 tells of one state only.
+TEST(ParameterTongues, ATranslationTellsTheSameNumbersAsTheEnglishRow) {
+    const auto numbers = [](std::string_view text) {
+        const auto digit = [&](std::size_t i) { return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])); };
+        std::set<std::string> out;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            std::string number;
+            while (digit(i)) number += text[i++];
+            if (!number.empty()) out.insert(number);
+        }
+        return out;
+    };
+    for (const Tongue tongue : kOthers)
+        for (const Row& row : rows()) {
+            SCOPED_TRACE(testing::Message() << static_cast<int>(tongue) << ' ' << row.number);
+            const RowWords words = words_of(row, tongue);
+            EXPECT_EQ(numbers(words.meaning), numbers(row.meaning));
+            for (const Bit& bit : row.bits) EXPECT_EQ(numbers(words.bits[bit.number]), numbers(bit.meaning)) << bit.name;
+        }
 }
 
 TEST(ParameterTongues, EnglishIsTheTableItself) {
