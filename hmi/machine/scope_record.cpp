@@ -88,6 +88,20 @@ std::optional<Roundness> roundnessOf(const std::deque<ScopeSample>& samples) {
         off(part.front()) > off(part.back()) ? from += step : to -= step;
         if (to <= from + 50) return std::nullopt;
     }
+    // A tangent leaves the circle so gently that its first part still fitted: the ends keep to what the command of the circle itself shows.
+    const auto off = [&](const ScopeSample* p) { return std::abs(std::hypot(p->value[0] - out.x, p->value[1] - out.z) - out.radius); };
+    std::vector<double> offs;
+    for (int again = 0; again < 3; ++again) {   // each fit without the tangents is nearer to the circle than the one before
+        offs.clear();
+        for (const ScopeSample* p : used) offs.push_back(off(p));
+        std::nth_element(offs.begin(), offs.begin() + static_cast<std::ptrdiff_t>(offs.size() / 2), offs.end());
+        const double fits = 4 * offs[offs.size() / 2] + 1e-6;
+        auto first = used.begin(), last = used.end();
+        while (last - first > 50 && off(*first) > fits) ++first;
+        while (last - first > 50 && off(last[-1]) > fits) --last;
+        used = std::vector<const ScopeSample*>(first, last);
+        if (!fit(used, out, worst)) return std::nullopt;
+    }
     double turned = 0, last = 0;
     out.most = -1e9, out.least = 1e9;
     for (std::size_t i = 0; i < used.size(); ++i) {

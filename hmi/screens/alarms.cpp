@@ -78,7 +78,7 @@ void Alarms::fillAlarms() {
         const AlarmEntry& entry = rows_[static_cast<std::size_t>(row)];
         const Theme& t = theme();
         switch (column) {
-            case 0: return {momentText(entry.when.toLocalTime(), "HH:mm:ss"), t.dim};
+            case 0: return {pastMomentText(entry.when.toLocalTime(), QDate::currentDate()), t.dim, Sign::None, false, Face::Condensed};
             case 1: return {entry.channel ? QString("L%1").arg(entry.channel) : QString(), t.text, Sign::None, true};
             case 2: return {entry.number.isEmpty() ? word("Message") : entry.number, colourOf(entry.severity), signOf(entry.severity), entry.standing};
             default: return {entry.text, entry.standing || page_ == Page::Standing ? t.text : t.dim};

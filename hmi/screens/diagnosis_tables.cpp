@@ -85,7 +85,8 @@ void Diagnosis::fillAxes() {
         switch (column) {
             case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
             case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
-            case 2: return {unit.text(shownPlace(axis, now.cmd))};
+            // Of the same tick as the measured place: now.cmd is where the axis will be sent, a cable's way ahead of it.
+            case 2: return {unit.text(shownPlace(axis, now.act + now.error))};
             case 3: return {unit.text(shownPlace(axis, now.act))};
             case 4: return {unit.name() + (axis.diameter && !axis.rotary ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of the places and of the ways behind them
             case 5: return {unit.text(shown(axis, now.error)), t.dim};

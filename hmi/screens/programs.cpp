@@ -284,9 +284,12 @@ void Programs::composeFaults(Writer& w, const QRectF& box) {
     double y = box.top();
     const auto line = [&](Sign sign, const QColor& colour, const QString& text) {
         if (y + px(24) > box.bottom()) return;
+        const QFont font = lettering(14.5);
+        const double wide = box.width() - px(42);
+        const int lines = y + px(46) <= box.bottom() && QFontMetricsF(font).horizontalAdvance(text) > wide ? 2 : 1;   // on a narrow panel
         w.sign(QRectF(box.left() + px(8), y + px(3), px(18), px(18)), sign, colour);
-        w.data(QRectF(box.left() + px(34), y, box.width() - px(42), px(24)), text, lettering(14.5), t.text);
-        y += px(25);
+        w.data(QRectF(box.left() + px(34), y, wide, px(lines == 2 ? 44 : 24)), text, font, t.text).wraps = lines == 2;
+        y += px(lines == 2 ? 46 : 25);
     };
     if (!dry_.failure().isEmpty()) return line(Sign::Alarm, t.bad, dry_.failure());
     if (dry_.running()) return line(Sign::Wait, t.wait, dry_.how() == DryRun::How::Check ? word("The programs are being read") : word("The job is being simulated"));

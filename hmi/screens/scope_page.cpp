@@ -87,7 +87,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         if (choosing_) w.field(QRectF(px(38), px(2), note_->width() * 0.4, note_->height() - px(4)), search_, word("Choose a signal; type a part of its name"), !search_.isEmpty(), 1);
         else w.data(QRectF(px(38), 0, note_->width() * 0.4, note_->height()), state, lettering(16, true), t.text);
         const double window = kSeconds[static_cast<std::size_t>(base_)];
-        w.text(QRectF(note_->width() * 0.44, 0, note_->width() * 0.2, note_->height()), word("Window %1 s").arg(window), lettering(15), t.dim);
+        w.text(QRectF(note_->width() * 0.44 + px(choosing_ ? 38 : 0), 0, note_->width() * 0.18, note_->height()), word("Window %1 s").arg(window), lettering(15), t.dim);
         w.data(QRectF(note_->width() * 0.62, 0, note_->width() * 0.38 - px(10), note_->height()), missed_ ? word("Some ticks were missed") : exported_, lettering(14), missed_ ? t.warn : t.dim, kRight);
     };
     note_->onTouched = [this](int) { desk_.ask({word("Signal"), search_, [this](const QString& text) { search_ = text, fillChoices(); }, {}}); };
@@ -339,10 +339,10 @@ void ScopePage::paintCircle(QPainter& p) {
     const double radius = std::min(box.width() * 0.6, box.height()) * 0.40, greatest = std::max({std::abs(round_->most), std::abs(round_->least), 1e-7}), enlarged = radius / 6 / greatest;
     const QPointF middle(box.left() + box.width() * 0.34, box.center().y());
     p.setPen(QPen(t.dim, 1, Qt::DotLine));
+    p.setBrush(Qt::NoBrush);   // a larger ring would cover the smaller ones
     for (const double ring : {-1.0, -0.5, 0.5, 1.0}) p.drawEllipse(middle, radius + ring * radius / 6, radius + ring * radius / 6);
     p.drawLine(middle - QPointF(radius * 1.2, 0), middle + QPointF(radius * 1.2, 0)), p.drawLine(middle - QPointF(0, radius * 1.2), middle + QPointF(0, radius * 1.2));
     p.setPen(QPen(t.dim, px(1.5)));
-    p.setBrush(Qt::NoBrush);
     p.drawEllipse(middle, radius, radius);
     QPolygonF line;
     const std::size_t step = std::max<std::size_t>(1, round_->points.size() / 4000);

@@ -21,5 +21,11 @@ inline QString shortDayForm() {   // of this year
 // `time`: "HH:mm", "HH:mm:ss".
 inline QString momentText(const QDateTime& when, const char* time) { return when.isValid() ? when.toString(dayForm() + ' ' + time) : QString(); }
 inline QString shortMomentText(const QDateTime& when, const char* time) { return when.isValid() ? when.toString(shortDayForm() + ' ' + time) : QString(); }
+// As short as it is clear on the day `today`: the time of today, day and time of this year, else the whole day with hour and minute.
+inline QString pastMomentText(const QDateTime& when, const QDate& today) {
+    if (!when.isValid()) return {};
+    if (when.date() == today) return when.toString("HH:mm:ss");
+    return when.date().year() == today.year() ? shortMomentText(when, "HH:mm:ss") : momentText(when, "HH:mm");
+}
 
 }  // namespace polyturn::hmi

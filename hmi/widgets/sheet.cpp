@@ -206,7 +206,11 @@ Item& Writer::text(const QRectF& box, const QString& text, const QFont& font, co
     item.text = text, item.font = font, item.colour = colour, item.align = align;
     return item;
 }
-void Writer::data(const QRectF& box, const QString& words, const QFont& font, const QColor& colour, int align) { text(box, words, font, colour, align).data = true; }
+Item& Writer::data(const QRectF& box, const QString& words, const QFont& font, const QColor& colour, int align) {
+    Item& item = text(box, words, font, colour, align);
+    item.data = true;
+    return item;
+}
 void Writer::fill(const QRectF& box, const QColor& colour, double radius) {
     Item& item = add(Item::Kind::Fill, box);
     item.colour = colour, item.value = radius;

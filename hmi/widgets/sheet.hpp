@@ -44,7 +44,7 @@ public:
     Writer(std::vector<Item>& items, std::vector<std::pair<QRectF, int>>& hits, std::vector<TextField>& fields) : items_(&items), hits_(&hits), fields_(&fields) {}
     Item& text(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
     // A name from outside: may be shortened.
-    void data(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
+    Item& data(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
     void fill(const QRectF& box, const QColor& colour, double radius = 0);
     void frame(const QRectF& box, const QColor& colour, double radius = 0, double width = 1);
     void hatch(const QRectF& box, const QColor& colour);   // slanting lines in a frame

@@ -68,6 +68,15 @@ TEST(Diagnosis, RoundnessIsTheSpreadOfTheMeasuredRadius) {
     const auto with_way = roundnessOf(circle(1, 12, [](double) { return -0.001; }, true));
     ASSERT_TRUE(with_way);
     EXPECT_NEAR(with_way->most, -0.001, 2e-4) << "the way to the circle is no part of it";
+    std::deque<ScopeSample> left = circle(1, 12, [](double) { return 0.0; }, false);
+    for (int i = 1; i <= 100; ++i) {   // along the tangent, 0.25 mm: 2.6 um beside the circle at its end
+        ScopeSample s = left.back();
+        ++s.tick, s.value[1] += 0.0025, s.value[3] = s.value[1];
+        left.push_back(s);
+    }
+    const auto tangent = roundnessOf(left);
+    ASSERT_TRUE(tangent);
+    EXPECT_LT(tangent->error(), 0.0001) << "the tangent away from the circle is no part of it";
     EXPECT_FALSE(roundnessOf(circle(0.4, 12, [](double) { return 0.0; }, false))) << "less than three quarters of a turn";
     EXPECT_FALSE(roundnessOf({}));
 }
