@@ -15,10 +15,11 @@ const QString kDash = QString::fromUtf8("–");
 // Writes the parts of a card one below the other.
 class Card {
 public:
-    Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint)
+    Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint, bool turned)
         : w_(w), t_(theme()), live_(desk.live), alarms_(desk.alarms), channel_(channel), status_(live_.channel(channel)), view_(live_.view(channel)),
-          config_(live_.config().channel(channel)), programs_(programs), size_(size), chosen_(desk.channel), focus_(desk.channel == channel && live_.channels().size() > 1), hint_(focus_ ? hint : QString()) {
+          config_(live_.config().channel(channel)), programs_(programs), size_(size), chosen_(desk.channel), focus_(desk.channel == channel && live_.channels().size() > 1), hint_(focus_ ? hint : QString()), turned_(turned) {
         dense_ = size.height() < px(560);
+        spare_ = dense_ && size.height() >= px(400);
         left_ = px(dense_ ? 12 : 16);
         wide_ = size.width() - 2 * left_;
         y_ = px(dense_ ? 6 : 9);
@@ -47,18 +48,24 @@ private:
         const double foot = px(19), codes = px(15), bottom = size_.height() - px(4) - foot;
         smallHeader();
         smallStrip();
-        smallBlock();
-        // Codes stand above the foot, axes between: as many as there is room for, then the blocks around the running one.
-        const double row = px(18);
-        std::size_t place = 0;
-        for (; place < config_.axis_count && y_ + row <= bottom - codes; ++place, y_ += row) smallAxis(place, row);
+        // Axes go before the codes, and before the running block, where a card has no room for all: the large card beside it has them.
+        const double least = kSmallHead() + kLeastRow() * static_cast<double>(std::min<std::size_t>(config_.axis_count, 2));
+        const bool block = bottom - y_ - kSmallBlock() >= least;
+        if (block) smallBlock();
+        const bool coded = bottom - y_ - codes >= least;
+        const double end = bottom - (coded ? codes : 0.0);
+        smallAxes(end);
         const QString path = programPath();
-        if (status_.line && bottom - codes - y_ >= px(17))
-            for (std::uint32_t number = status_.line + 1; y_ + px(16) <= bottom - codes && number <= status_.line + 2; ++number, y_ += px(16))
+        if (block && status_.line && end - y_ >= px(17))
+            for (std::uint32_t number = status_.line + 1; y_ + px(16) <= end && number <= status_.line + 3; ++number, y_ += px(16))
                 w_.data(QRectF(left_ + px(18), y_, wide_ - px(18), px(16)), programs_.line(path.toStdString(), number), lettering(11.5, false, Face::Program), t_.dim);
-        w_.data(QRectF(left_, bottom - codes, wide_, codes), activeCodes(), lettering(12, false, Face::Condensed), t_.dim);
+        if (coded) w_.data(QRectF(left_, bottom - codes, wide_, codes), activeCodes(), lettering(12, false, Face::Condensed), t_.dim);
         smallFoot(QRectF(left_, bottom, wide_, foot));
     }
+
+    static double kSmallHead() { return px(11); }
+    static double kLeastRow() { return px(12); }
+    static double kSmallBlock() { return px(20); }
 
     void smallHeader() {
         const double h = px(21);
@@ -101,16 +108,52 @@ private:
         y_ += box.height() + px(2);
     }
 
-    void smallAxis(std::size_t place, double row) {
-        const AxisConfig& axis = live_.config().axis(config_.axes[place]);
-        const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
-        const LengthUnit unit = live_.unit(axis);
-        const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
-        double workpiece = 0;
-        const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
-        w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(14.5, true), at.flags & kMoving ? t_.good : t_.text);
-        w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? unit.text(shownPlace(axis, workpiece)) : referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref."), lettering(14.5, true), referenced ? t_.text : t_.warn, kRight);
-        if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(), lettering(13), t_.dim, kRight);
+    // What an axis shows, in the order of a whole card. Where four columns have no room, two of them, and by a touch the two others.
+    void smallAxes(double end) {
+        enum Column { kWorkpiece, kMachine, kToGo, kLag };
+        const bool whole = wide_ >= px(262);
+        const std::vector<Column> columns = whole ? std::vector<Column>{kWorkpiece, kMachine, kToGo, kLag} : turned_ ? std::vector<Column>{kMachine, kLag} : std::vector<Column>{kWorkpiece, kToGo};
+        const double name = px(22), head = kSmallHead(), top = y_;
+        const auto most = static_cast<std::size_t>(std::max(0.0, (end - y_ - head) / kLeastRow()));
+        const std::size_t count = std::min<std::size_t>(config_.axis_count, most);
+        if (!count) return;
+        const double row = std::min<double>(px(18), (end - y_ - head) / static_cast<double>(count));
+        const double size = row >= px(18) ? 14.5 : row >= px(15) ? 13 : 11.5, first = (wide_ - name) * (whole ? 0.28 : 0.54), other = (wide_ - name - first) / static_cast<double>(columns.size() - 1);
+        const auto box = [&](std::size_t column, double y, double high) { return column == 0 ? QRectF(left_ + name, y, first, high) : QRectF(left_ + name + first + other * static_cast<double>(column - 1), y, other, high); };
+        if (!whole) w_.sign(QRectF(left_, y_, px(11), head), turned_ ? Sign::Left : Sign::Right, t_.accent);
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            constexpr const char* kHeads[] = {WORD("Workpiece"), WORD("Machine"), WORD("To go"), WORD("Lag")};
+            w_.text(box(c, y_, head), word(kHeads[columns[c]]), lettering(10.5, false, Face::Condensed), t_.dim, kRight);
+        }
+        y_ += head;
+        for (std::size_t place = 0; place < count; ++place, y_ += row) {
+            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
+            const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
+            const LengthUnit unit = live_.unit(axis);
+            const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
+            w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(size, true), at.flags & kMoving ? t_.good : t_.text);
+            double workpiece = 0;
+            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
+            for (std::size_t c = 0; c < columns.size(); ++c) {
+                QString text = kDash;
+                QColor colour = c == 0 ? t_.text : t_.dim;
+                if (spins) colour = t_.faint;
+                else switch (columns[c]) {
+                    case kWorkpiece:
+                        if (known) text = unit.text(shownPlace(axis, workpiece));
+                        else if (!referenced) text = whole ? kDash : word("no ref."), colour = t_.warn;
+                        break;
+                    case kMachine:
+                        text = referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref.");
+                        if (!referenced) colour = t_.warn;
+                        break;
+                    case kToGo: text = view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(); break;
+                    case kLag: text = unit.text(shown(axis, at.error)); break;
+                }
+                w_.text(box(c, y_, row), text, lettering(c == 0 ? size : size - 1.5, c == 0, whole ? Face::Condensed : Face::Text), colour, kRight);
+            }
+        }
+        if (!whole) w_.hit(QRectF(left_, top, wide_, end - top), kTurnAxesHit);
     }
 
     // Tool and offset; feed and spindle, each with its override where that is another one than 100 %.
@@ -220,7 +263,7 @@ private:
             add(status_.keys & kKeyMachineLock, word("Machine lock"));
             add(status_.keys & kKeyFirstPart, word("First part"));
             add(status_.keys & kAllBlockSkips, word("Block skip"));
-            const QString codes = dense_ && switches.isEmpty() ? activeCodes() : QString();   // a dense card has no other room for them
+            const QString codes = dense_ && !spare_ && switches.isEmpty() ? activeCodes() : QString();   // a dense card has no other room for them
             if (!codes.isEmpty()) {
                 const double line = hint_.isEmpty() ? h : h / 2;
                 Item& item = w_.text(QRectF(box.left() + px(8), box.top(), box.width() - px(12), line), codes, lettering(12.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignVCenter);
@@ -273,7 +316,7 @@ private:
 
     // Two tiles: feed and spindle, with what is commanded and the overrides.
     void speeds() {
-        const double h = px(dense_ ? 44 : slim() ? 90 : 74), half = (wide_ - px(8)) / 2;
+        const double h = px(spare_ ? 62 : dense_ ? 44 : slim() ? 90 : 74), half = (wide_ - px(8)) / 2;
         tile(QRectF(left_, y_, half, h), Sign::Feed, live_.unit(channel_).speed(status_.path_speed * 60), live_.unit(channel_).perMinute(), feedWords(), status_.feed_override,
              QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
@@ -300,10 +343,11 @@ private:
         const double second = box.top() + line + px(2);
         // Four channels side by side: what is commanded and the note have a line each.
         const double wantedWide = slim() ? box.width() - px(18) : box.width() * 0.5, noteTop = slim() ? second + px(17) : second, noteLeft = slim() ? box.left() + px(9) : box.left() + box.width() * 0.5;
-        if (!dense_) w_.data(QRectF(box.left() + px(9), second, wantedWide, px(16)), wanted, lettering(12.5), t_.dim);
+        const bool lines = !dense_ || spare_;
+        if (lines) w_.data(QRectF(box.left() + px(9), second, wantedWide, px(16)), wanted, lettering(12.5), t_.dim);
         const bool changed = std::abs(override - 1.0) > 1e-6;
         const QString percent = QString("%1 %").arg(std::lround(override * 100));
-        if (!dense_) w_.text(QRectF(noteLeft, noteTop, box.right() - px(9) - noteLeft, px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
+        if (lines) w_.text(QRectF(noteLeft, noteTop, box.right() - px(9) - noteLeft, px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
         const double bar = box.bottom() - px(dense_ ? 12 : 15);
         w_.bar(QRectF(box.left() + px(10), bar + px(1), box.width() - px(70), px(7)), override / 1.5, changed ? t_.warn : t_.accent, t_.edge);
         w_.text(QRectF(box.right() - px(56), bar - px(5), px(48), px(18)), percent, lettering(13, true), changed ? t_.warn : t_.text, kRight);
@@ -355,8 +399,8 @@ private:
         w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
         w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
         below(h);
-        if (dense_) return;
-        const double lines = px(37);
+        if (dense_ && !spare_) return;
+        const double lines = px(dense_ ? 33 : 37);
         Item& item = w_.text(QRectF(left_, y_, wide_, lines), activeCodes(), lettering(13.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true, item.data = true;
         below(lines);
@@ -365,7 +409,7 @@ private:
     void program() {
         const double room = size_.height() - y_ - px(dense_ ? 32 : 66);
         const double head = px(dense_ ? 18 : 22), row = px(dense_ ? 18 : 21);
-        const int before = dense_ ? 1 : 2, wanted = dense_ ? 3 : 6, lines = std::clamp(static_cast<int>((room - head) / row), 1, wanted);
+        const int lines = std::clamp(static_cast<int>((room - head) / row), 1, 6), before = lines >= 5 ? 2 : 1;   // two before and three after, where there is room
         const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
         const QString file = QFileInfo(QString::fromStdString(path)).fileName();
         rule();
@@ -436,13 +480,14 @@ private:
     ProgramText& programs_;
     QSizeF size_;
     unsigned chosen_;
-    bool focus_, dense_ = false;
+    bool focus_, dense_ = false, spare_ = false;   // spare: a dense card with room for every line of a whole one
     QString hint_;
+    bool turned_;
     double left_ = 0, wide_ = 0, y_ = 0;
 };
 
 }  // namespace
 
-void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint) { Card(w, size, desk, channel, programs, hint).write(); }
+void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint, bool turned) { Card(w, size, desk, channel, programs, hint, turned).write(); }
 
 }  // namespace polyturn::hmi

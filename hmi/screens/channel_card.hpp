@@ -7,6 +7,9 @@ namespace polyturn::hmi {
 
 inline constexpr std::uint32_t kAllBlockSkips = 0x3FFu * kKeyBlockSkip1;   // the levels 1 to 10 among a channel's keys
 
-void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint = {});   // hint: of the chosen channel, where nothing else is to be said
+inline constexpr int kTurnAxesHit = 1000;   // the axes of a card that has room for two of their columns: the two others, in all such cards
+
+// hint: of the chosen channel, where nothing else is to be said. turned: narrow cards show machine coordinates and following errors.
+void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint = {}, bool turned = false);
 
 }  // namespace polyturn::hmi

@@ -27,8 +27,9 @@ void Overview::rebuilt() {
     cards_.clear();
     for (const unsigned channel : desk_.live.channels()) {
         auto* card = new FreeSheet(this);
-        card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_, canEnlarge() && !enlarged_ ? word("Touch again or Enter: enlarged") : QString()); };
-        card->onTouched = [this, channel](int) {
+        card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_, canEnlarge() && !enlarged_ ? word("Touch again or Enter: enlarged") : QString(), turned_); };
+        card->onTouched = [this, channel](int number) {
+            if (number == kTurnAxesHit) return turned_ = !turned_, refresh();
             if (desk_.channel == channel && canEnlarge()) return enlarge(!enlarged_);
             desk_.choose(channel), refresh();
         };
@@ -65,6 +66,12 @@ void Overview::layOut() {
     }
 }
 
+QString Overview::state() const { return QString("%1 %2").arg(enlarged_ ? 1 : 0).arg(turned_ ? 1 : 0); }
+void Overview::restore(const QString& state) {
+    turned_ = state.section(' ', 1, 1) == "1";
+    enlarge(state.section(' ', 0, 0) == "1");
+}
+
 void Overview::enlarge(bool on) {
     enlarged_ = on;
     layOut();
@@ -94,6 +101,7 @@ std::vector<Sheet*> Overview::sheets() {
 bool Overview::key(QKeyEvent* event) {
     if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && canEnlarge()) return enlarge(!enlarged_), true;
     if (event->key() == Qt::Key_Escape && enlarged_) return enlarge(false), true;
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) return turned_ = event->key() == Qt::Key_Down, refresh(), true;
     if (event->key() != Qt::Key_Left && event->key() != Qt::Key_Right) return false;
     const auto& all = desk_.live.channels();
     const auto here = std::find(all.begin(), all.end(), desk_.channel);

@@ -17,8 +17,8 @@ public:
     bool key(QKeyEvent* event) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;
-    QString state() const override { return enlarged_ ? "1" : "0"; }
-    void restore(const QString& state) override { enlarge(state == "1"); }
+    QString state() const override;
+    void restore(const QString& state) override;
     int pages() const override;
     void turnTo(int page) override;
     // Of many channels the chosen one has room for all its lines, the others are beside it.
@@ -36,7 +36,7 @@ private:
     void addControlKeys(std::vector<SoftKey>& keys, bool there);
     bool takesMachineLock() const;
     static constexpr std::size_t kMostFull = 3;   // channels whose cards leave nothing out
-    bool enlarged_ = false;
+    bool enlarged_ = false, turned_ = false;   // turned: narrow cards show the other columns of their axes
     unsigned laidFor_ = 0;                 // the channel that is enlarged
     bool takesRetrace() const;
     enum class Keys : std::uint8_t { Channels, Control, MoreControl, All };

@@ -1,5 +1,6 @@
 // Machines with more channels than a panel has room for at first sight: every screen still fits, in every language, and each channel is reached.
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/channel_card.hpp"
 #include "hmi/screens/graphics.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/many_machine.hpp"
@@ -80,6 +81,12 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
     EXPECT_FALSE(says(6, "Follow. error"));
     touch(6);
     for (const char* line : {"Follow. error", "Remaining", "Workpiece", "Machine", "To go"}) EXPECT_TRUE(says(6, line)) << line;
+    window.resize(768, 1024);                                     // an upright panel leaves nothing out either
+    frames(window, 60);
+    for (const char* line : {"Follow. error", "Remaining", "Workpiece", "Machine", "To go"}) EXPECT_TRUE(says(6, line)) << line;
+    for (unsigned channel = 1; channel <= 8; ++channel) EXPECT_TRUE(says(channel, "Machine")) << channel;
+    window.resize(1280, 800);
+    frames(window, 60);
     for (unsigned channel = 1; channel <= 8; ++channel)
         EXPECT_TRUE(window.rect().contains(window.screen()->sheets()[channel - 1]->geometry())) << channel;
     hand.key(Qt::Key_Left);                                       // the one before
@@ -134,7 +141,34 @@ TEST(ManyChannelsCard, OfSixteenTellsModeBlockCodesToolAndWait) {
     };
     for (const char* words : {"L7", "Automatic", "Waits", "M503", "L4", "meets the fourth", "O7.nc", "G0", "T3", "Offset 3", "F 0"}) EXPECT_TRUE(says(7, words)) << words;
     EXPECT_TRUE(says(9, "no program"));
+    for (unsigned channel = 1; channel <= 16; ++channel)   // where each axis is, in both systems, what it still has to go, how far it is behind
+        for (const char* head : {"Workpiece", "Machine", "To go", "Lag"}) EXPECT_TRUE(says(channel, head)) << channel << " " << head;
     noWordIsShortened(window);
+    // Beside a large card two columns have room: a touch, or the arrows, turn them to the other two, in all of them.
+    Operator hand(window);
+    window.desk().choose(7);
+    hand.key(Qt::Key_Return);
+    frames(window, 100);
+    for (const char* line : {"Workpiece", "Machine", "To go", "Follow. error", "N20 M503 P47", "N10 G0", "N30 M30", "T3", "Remaining"}) EXPECT_TRUE(says(7, line)) << line;
+    EXPECT_TRUE(says(9, "Workpiece") && says(9, "To go"));
+    EXPECT_FALSE(says(9, "Machine"));
+    Sheet* card = window.screen()->sheets()[8];
+    hand.touch(card, kTurnAxesHit);
+    EXPECT_EQ(window.desk().channel, 7u) << "and chooses no other channel";
+    for (const unsigned channel : {1u, 9u, 16u}) EXPECT_TRUE(says(channel, "Machine") && says(channel, "Lag") && !says(channel, "To go")) << channel;
+    const QString kept = window.screen()->state();
+    hand.key(Qt::Key_Up);
+    EXPECT_TRUE(says(9, "To go"));
+    window.screen()->restore(kept);
+    frames(window, 60);
+    EXPECT_TRUE(says(9, "Lag")) << "kept over a restart";
+    noWordIsShortened(window);
+    for (const QSize size : {QSize(1024, 768), QSize(768, 1024)}) {
+        window.resize(size);
+        frames(window, 60);
+        noWordIsShortened(window);
+        for (unsigned channel = 1; channel <= 16; ++channel) EXPECT_TRUE(says(channel, "Machine")) << channel << " on " << size.width();
+    }
 }
 
 // N0000: which channels form a machine is seen in their cards, and each group has keys of its own where all channels have theirs otherwise.
