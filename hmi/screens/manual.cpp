@@ -147,13 +147,13 @@ void Manual::showHand(bool on) {
 
 void Manual::layOut() {
     const int side = px(390), edge = px(8);
-    const int keyboard = typing_ ? px(300) : 0;   // beneath the axes, while a block is entered
-    const Parted all = parted(*this, rect().adjusted(edge, edge, -edge, -edge), side, px(610), edge);
-    const bool stands = upright(*this);            // there the keys take the place of the axes, right above what is typed
-    axes_->setGeometry(all.main.adjusted(0, 0, 0, stands ? 0 : -keyboard));
-    pad_->setGeometry(all.main.left(), stands ? all.main.bottom() + 1 - keyboard : height() - keyboard, all.main.width(), std::max(0, keyboard - edge));
+    const bool stands = upright(*this);
+    const int keyboard = typing_ ? px(300) : 0;   // beneath the axes, while a block is entered; on an upright panel right above what is typed
+    const Parted all = parted(*this, rect().adjusted(edge, edge, -edge, -edge), side, px(typing_ ? 470 : 610), edge);
+    axes_->setGeometry(all.main.adjusted(0, 0, 0, -keyboard));
+    pad_->setGeometry(all.main.left(), stands ? all.main.bottom() + 1 - keyboard : height() - keyboard, all.main.width(), std::max(0, keyboard - (stands ? 0 : edge)));
     hand_->setGeometry(0, 0, width(), height());
-    hand_->setVisible(handShown_), axes_->setVisible(!handShown_ && !(stands && typing_)), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
+    hand_->setVisible(handShown_), axes_->setVisible(!handShown_), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
     side_->setGeometry(all.side);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -192,6 +192,7 @@ void Manual::composeAxes(Writer& w) {
     const bool refused = !whyNotMoved().isEmpty();
     const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
     const double top = px(52), foot = px(64), row = std::min<double>(px(112), (high - top - foot) / static_cast<double>(count));
+    if (typing_ && row < px(80)) return composePlaces(w, QRectF(0, top, wide, high - top - px(6)));
     for (std::size_t place = 0; place < config.axis_count; ++place) {
         const unsigned number = config.axes[place];
         const AxisConfig& axis = live.config().axis(number);
@@ -253,6 +254,38 @@ void Manual::composeAxes(Writer& w) {
         const QFont plain = lettering(17, here);
         w.text(box, label, wordsWidth(label, plain) > box.width() - px(8) ? lettering(14, here, Face::Condensed) : plain, t.text, Qt::AlignCenter);
         w.hit(box, kStepHits + static_cast<int>(i));
+    }
+}
+
+// Where the keyboard leaves no room for keys of axes: where they are, what is left of the block, how far they are behind.
+void Manual::composePlaces(Writer& w, const QRectF& box) {
+    const Theme& t = theme();
+    const Live& live = desk_.live;
+    const ChannelConfig& config = live.config().channel(desk_.channel);
+    w.fill(box, t.card, px(8));
+    const double name = px(80), column = (box.width() - name - px(28)) / 4, head = px(20);
+    const QString heads[] = {word("Workpiece"), word("Machine"), word("To go"), word("Follow. error")};
+    const auto cell = [&](int c, double y, double high) { return QRectF(box.left() + px(14) + name + c * column, y, column, high); };
+    for (int c = 0; c < 4; ++c) w.text(cell(c, box.top() + px(2), head), heads[c], lettering(12.5, false, Face::Condensed), t.dim, kRight);
+    const double row = std::min<double>(px(40), (box.height() - head - px(6)) / std::max<double>(config.axis_count, 1));
+    double y = box.top() + head + px(2);
+    for (std::size_t place = 0; place < config.axis_count; ++place, y += row) {
+        const AxisConfig& axis = live.config().axis(config.axes[place]);
+        const AxisStatus& now = live.status().axes[config.axes[place] - 1u];
+        const LengthUnit unit = live.unit(axis);
+        const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
+        const double size = row < px(24) ? 13 : row < px(32) ? 17 : 21;
+        w.text(QRectF(box.left() + px(14), y, name, row), fromView(axis.name_text()), lettering(size, true), now.flags & kMoving ? t.good : t.text);
+        if (axis.on_spindle && live.nc(signals::sn_axis(axis.on_spindle)) == 0) {
+            w.text(QRectF(cell(0, y, row).left(), y, column * 4, row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(std::min(size, 17.0)), t.dim, kRight);
+            continue;
+        }
+        double workpiece = 0;
+        const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
+        w.text(cell(0, y, row), known ? unit.text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(size, true), t.text, kRight);
+        w.text(cell(1, y, row), referenced ? unit.text(shownPlace(axis, now.act)) : word("no ref."), lettering(size * 0.8), referenced ? t.dim : t.warn, kRight);
+        w.text(cell(2, y, row), unit.text(shown(axis, live.toGo(desk_.channel, static_cast<unsigned>(place)))), lettering(size * 0.8), live.view(desk_.channel).moves[place] ? t.text : t.faint, kRight);
+        w.text(cell(3, y, row), unit.text(shown(axis, now.error)), lettering(size * 0.8), t.dim, kRight);
     }
 }
 
@@ -348,7 +381,7 @@ std::vector<SoftKey> Manual::keys() {
         resetKey(desk_),
         {word("Automatic"), [this] { mode("auto"); }, Sign::None, there, mode_now == ChannelMode::Auto},
         {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
-        {word("MDI"), [this] { mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
+        {word("MDI"), [this] { letGo(), mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
         {word("Wheel, tool, transfer"), [this] { showHand(true); }, Sign::Right, there},
         away ? SoftKey{word("Return %1").arg(name), press_words("return " + name), Sign::Left, there, false, false, word("The axes go back: press again"), {}, name}
              : SoftKey{word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held},

@@ -46,6 +46,7 @@ protected:
 private:
     void layOut();
     void composeAxes(Writer& w);
+    void composePlaces(Writer& w, const QRectF& box);
     void composeSide(Writer& w);
     void press(int number);
     void tellHeld();

@@ -47,6 +47,34 @@ TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
     noWordIsShortened(*window);
 }
 
+// On an upright panel too positions stand above the keyboard while a block is typed, and nothing lies over anything.
+TEST_F(PanelTasks, PositionsAreSeenWhileABlockIsTyped) {
+    Manual& manual = screenOf<Manual>();
+    Operator hand(*window);
+    hand.screen("manual");
+    for (const QSize size : {QSize(768, 1024), QSize(1024, 768), QSize(1280, 800)}) {
+        SCOPED_TRACE(size.width());
+        window->resize(size);
+        frames(*window);
+        hand.soft("MDI");
+        frames(*window);
+        hand.type("G4 X1.");
+        frames(*window);
+        EXPECT_TRUE(manual.axes().isVisible() && manual.pad().isVisible() && manual.side().isVisible());
+        EXPECT_TRUE(standsOn({&manual.axes()}, "Workpiece") && standsOn({&manual.axes()}, "Machine"));
+        EXPECT_TRUE(standsOn({&manual.side()}, "G4 X1."));
+        for (const auto& [a, b] : {std::pair<QWidget*, QWidget*>{&manual.axes(), &manual.pad()}, {&manual.axes(), &manual.side()}, {&manual.pad(), &manual.side()}}) EXPECT_FALSE(a->geometry().intersects(b->geometry()));
+        if (size.height() > size.width()) { EXPECT_TRUE(standsOn({&manual.axes()}, "To go") && standsOn({&manual.axes()}, "Follow. error")); }
+        for (const Sheet* sheet : manual.sheets()) EXPECT_TRUE(manual.rect().contains(sheet->geometry()));
+        hand.key(Qt::Key_Escape);
+        manual.typeMdi({});
+    }
+    window->resize(768, 1024);
+    noWordIsShortened(*window);
+    window->resize(1280, 800);
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
+}
+
 // What happened in the night is read in the morning, after the power was off.
 TEST_F(PanelTasks, AlarmsOutliveTheController) {
     Operator hand(*window);
