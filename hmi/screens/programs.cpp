@@ -16,6 +16,7 @@
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "ipc/machine/work_zeros.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/machine_path.hpp"
 
@@ -110,6 +111,66 @@ void Programs::takeSelected() {
     if (!sheet || !sheet->fault.isEmpty()) return;   // the controller has read it: its answer counts
     const QString differs = jobDiffers(desk_.live, *sheet);
     if (!differs.isEmpty()) desk_.tell(word("%1 is selected").arg(QFileInfo(sheet->path).fileName()) + ".  " + differs, Told::Note);
+}
+
+// A job's zeros are no measured ones: they are entered when somebody asks for it twice, each by a request of its own, with what stood there
+// for the way back.
+std::optional<SoftKey> Programs::zerosKey() {
+    const JobSheet* sheet = files_->sheet();
+    if (!sheet || !desk_.live.connected()) return std::nullopt;
+    const auto& all = desk_.live.channels();
+    const bool rests = std::none_of(all.begin(), all.end(), [&](unsigned one) { return works(desk_.live.channel(one)); });
+    std::vector<JobZero> other;
+    QStringList names, values;
+    for (const JobZero& one : compareZeros(desk_.live, *sheet)) {
+        if (std::isnan(one.entered) || one.same()) continue;
+        other.push_back(one);
+        names << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
+        values << QString("%1=%2 %3").arg(names.back()).arg(one.wanted, 0, 'g', 12).arg(one.entered, 0, 'g', 12);
+    }
+    if (names.size() > 3) names = names.mid(0, 2) << QString::fromUtf8("… %1").arg(other.size());
+    if (!other.empty()) return SoftKey{word("Enter the job's zeros"), [this, other] { enterZeros(other); }, Sign::Offsets, rests, false, false, word("Replaces what is entered: press again"), {}, values.join(' '), names.join(", ")};
+    if (zeros_.empty() || zerosOf_ != sheet->path) return std::nullopt;
+    return SoftKey{word("Undo the zeros"), [this] { takeZerosBack(); }, Sign::Undo, rests};
+}
+
+namespace {
+
+QString zeroWords(const JobZero& zero, double value) {
+    const auto row = work_zero_row(zero.system);
+    return QString("zero L%1 %2 %3=%4").arg(zero.channel).arg(row ? QString::fromStdString(work_zero_name(*row)) : QString::fromStdString(zero.system), QString::fromStdString(zero.axis), QString::number(value, 'f', 9));
+}
+
+// As the table has it now.
+double zeroNow(const Live& live, const JobZero& zero) {
+    const auto row = work_zero_row(zero.system);
+    const AxisConfig* axis = find_axis(live.config(), zero.channel, zero.axis);
+    return row && axis && axis->slot != kNoSlot ? live.store(zero.channel).zeros[*row * kChannelAxes + axis->slot] : std::nan("");
+}
+
+}  // namespace
+
+void Programs::enterZeros(const std::vector<JobZero>& zeros) {
+    if (!files_->sheet()) return;
+    zeros_.clear(), zerosOf_ = files_->sheet()->path;
+    for (const JobZero& one : zeros)
+        desk_.requests.set(zeroWords(one, one.wanted), [this, one, of = zerosOf_, count = zeros.size()](const Answer& answer) {
+            if (!answer.ok || of != zerosOf_) return;   // a refusal is told; what was entered before it can be taken back
+            zeros_.push_back(one);
+            if (zeros_.size() == count) desk_.tell(word("The zeros of %1 are entered").arg(QFileInfo(of).fileName()), Told::Good);
+            if (desk_.keysChanged) desk_.keysChanged();
+        });
+}
+
+// Only where the job's value still stands: what has been measured since stays.
+void Programs::takeZerosBack() {
+    QStringList stay;
+    for (const JobZero& one : std::exchange(zeros_, {})) {
+        if (std::abs(zeroNow(desk_.live, one) - one.wanted) <= 5e-7) desk_.requests.set(zeroWords(one, one.entered));
+        else stay << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
+    }
+    if (!stay.isEmpty()) desk_.tell(word("%1: another value stands there by now, it stays").arg(stay.join(", ")), Told::Refused);
+    else desk_.tell(word("The zeros stand as before"), Told::Good);
 }
 
 // A print server that does not answer is left behind, and nobody is there any more to be told.
@@ -333,6 +394,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("New program"), [this] { files_->newProgram(fromView(language_name(desk_.live.panelLanguage(desk_.channel)))); }, Sign::None, page_ == Page::Files && !files_->atPlaces() && !files_->working(), files_->naming()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
     };
+    if (auto zeros = page_ == Page::Files ? zerosKey() : std::nullopt) keys[6] = std::move(*zeros);   // of a job whose zeros are others
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
         printing_.forget();                  // the worker sees it before its next piece, and takes away what it has written

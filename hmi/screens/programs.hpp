@@ -57,6 +57,9 @@ private:
     void print();
     void takePrint();
     void takeSelected();
+    std::optional<SoftKey> zerosKey();       // enters the zeros of the chosen job, or takes that back
+    void enterZeros(const std::vector<JobZero>& zeros);
+    void takeZerosBack();
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
@@ -81,6 +84,8 @@ private:
     Aside<FileOutcome> printing_;            // the setup sheet
     QString printed_;
     Aside<JobSheet> selected_;               // what the job that has just been selected has otherwise, by its files as they are now
+    std::vector<JobZero> zeros_;             // what has been entered so, and what stood there before
+    QString zerosOf_;                        // of which job
     DryRun dry_;
     AlignedJob aligned_;
     std::uint64_t alignedVersion_ = ~0ull, timeVersion_ = ~0ull;   // of the run: that they show

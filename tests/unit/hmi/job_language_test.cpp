@@ -72,6 +72,33 @@ TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
 }
 
+// One key enters them all, asked for twice; another takes back what still stands.
+TEST_F(JobLanguage, ItsZerosAreEnteredTogetherAndTakenBack) {
+    write("zeros.job.toml", "name = \"zeros\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n[zeros]\n1 = { G54 = { Z = -150.0 }, G55 = { X = 1.5, Z = -80.0 } }\n");
+    const auto zero = [&](std::size_t row, std::size_t place) { return live().store(1).zeros[row * kChannelAxes + place]; };
+    for (const char* words : {"zero L1 G54 Z=-20", "zero L1 G55 X=1.5", "zero L1 G55 Z=4"}) ASSERT_TRUE(g_controller->set(words));
+    choose("zeros.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    ASSERT_TRUE(waitFor([&] { return shown("entered: -20.000") && zero(kZeroG54 + 1, 1) == 4; }));
+    hand.soft("Enter the job's zeros");
+    frames(*window, 300);
+    EXPECT_EQ(zero(kZeroG54, 1), -20) << "one press enters nothing";
+    EXPECT_TRUE(standsOn(window->ownSheets(), "L1 G54 Z")) << "the question names them";
+    hand.soft("Enter the job's zeros");
+    ASSERT_TRUE(waitFor([&] { return zero(kZeroG54, 1) == -150 && zero(kZeroG54 + 1, 1) == -80; }));
+    EXPECT_EQ(zero(kZeroG54 + 1, 0), 1.5);
+    ASSERT_TRUE(waitFor([&] { return told("zeros.job.toml"); }));
+    ASSERT_TRUE(g_controller->set("zero L1 G55 Z=-81"));   // measured meanwhile
+    ASSERT_TRUE(waitFor([&] { return zero(kZeroG54 + 1, 1) == -81; }));
+    hand.soft("Enter the job's zeros");                    // that one is offered again, and not wanted
+    ASSERT_TRUE(g_controller->set("zero L1 G55 Z=-80"));
+    ASSERT_TRUE(waitFor([&] { return zero(kZeroG54 + 1, 1) == -80; }));
+    hand.soft("Undo the zeros");
+    ASSERT_TRUE(waitFor([&] { return zero(kZeroG54, 1) == -20 && zero(kZeroG54 + 1, 1) == 4; }));
+    for (const char* words : {"zero L1 G54 Z=0", "zero L1 G55 X=0", "zero L1 G55 Z=0"}) ASSERT_TRUE(g_controller->set(words));
+}
+
 // So are offsets of its setup file; the line of the selection tells of the files as they are now, whatever the sheet has read before.
 TEST_F(JobLanguage, OtherOffsetsThanThoseOfItsSetupFileAreTold) {
     write("offsets.job.toml", "name = \"offsets\"\nsetup = \"offsets.setup.toml\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n");
