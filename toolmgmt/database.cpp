@@ -204,6 +204,7 @@ std::string Database::history_query(const HistoryOf& of) {
         case HistoryOf::Kind::Value: sql += " WHERE what = ?1"; break;
         case HistoryOf::Kind::Parameters: sql += " WHERE what GLOB '[NFMPS]*'"; break;   // N1600 L1, F3401, MD20150, PT_HORIZON, SD43300, MEFI...
         case HistoryOf::Kind::EnteredOffsets: sql += " WHERE instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND instr(what, ?1) > 0"; break;
+        case HistoryOf::Kind::EnteredEdges: sql += " WHERE what GLOB 'tool [0-9]* D[0-9]* DP[0-9]*' AND who NOT IN ('program', 'setup') AND instr(what, ?1) = 1"; break;
     }
     if (!of.before_utc.empty()) sql += std::string(of.kind == HistoryOf::Kind::All ? " WHERE" : " AND") + " (utc, id) < (?2, ?3)";
     return sql + " ORDER BY utc DESC, id DESC LIMIT ?4";

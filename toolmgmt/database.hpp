@@ -51,7 +51,7 @@ public:
     };
     // Which of them, newest first. `about` and `who` are parts of the texts, empty means all; `before`: only what is older than that row.
     struct HistoryOf {
-        enum class Kind : std::uint8_t { All, Value, Parameters, EnteredOffsets } kind = Kind::All;   // Value: `about` is its whole name; entered: by people
+        enum class Kind : std::uint8_t { All, Value, Parameters, EnteredOffsets, EnteredEdges } kind = Kind::All;   // Value: `about` is its whole name; entered: by people
         std::string about = {}, who = {}, before_utc = {};
         std::int64_t before_id = 0, most = 50;
     };

@@ -48,6 +48,10 @@ constexpr std::array kSteps = {
     CREATE INDEX IF NOT EXISTS history_parameters ON history(utc) WHERE what GLOB '[NFMPS]*';
     CREATE INDEX IF NOT EXISTS history_entered ON history(utc) WHERE instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup');
     )sql",
+    // Likewise what people entered into edges of tools.
+    R"sql(
+    CREATE INDEX IF NOT EXISTS history_edges ON history(utc) WHERE what GLOB 'tool [0-9]* D[0-9]* DP[0-9]*' AND who NOT IN ('program', 'setup');
+    )sql",
 };
 
 }  // namespace

@@ -26,12 +26,12 @@ constexpr Action kActions[] = {
     {"tools", "import", "Tool data of a file: all of it or nothing", "FILE", 1, 1},
     {"tools", "export", "Tool data to a file or to standard output", "[FILE]", 0, 1},
     {"offsets", "list", "The offset table of a channel", "[L]", 0, 1},
-    {"offsets", "set", "Values of one offset", "L NUMBER geometry|wear|second X=1.5 ...", 4, -1},
+    {"offsets", "set", "Values of one offset; NUMBER may be an edge as T3.D1, and its values DP13=0.02", "L NUMBER geometry|wear|second X=1.5 ...", 3, -1},
     {"offsets", "measure", "The tip stands where the workpiece measures this", "L NUMBER geometry X=40", 4, 4},
     {"offsets", "touch", "The tool has touched the setter: shows old, new and difference; with --yes writes", "L [NUMBER [geometry|wear]]", 1, 3},
     {"offsets", "origin", "The relative counter begins here", "[L]", 0, 1},
     {"offsets", "relative", "The relative counter becomes the offset", "L NUMBER geometry X", 4, 4},
-    {"offsets", "undo", "Takes the last entry back", "[L]", 0, 1},
+    {"offsets", "undo", "Takes the last entry back; with T3 or T3.D1 that of a tool's edges", "[L [T3.D1]]", 0, 2},
     {"offsets", "history", "Who entered what", "", 0, 0},
     {"zeros", "list", "The zero offsets of a channel", "[L]", 0, 1},
     {"zeros", "set", "Values of one zero offset", "L G54 Z=-150 ...", 3, -1},
@@ -88,6 +88,7 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
     if (group == "zeros" && (which == "measure" || which == "touch")) one->add_option("--offset", store.offset, "offset of the tool or probe that stands there; 0: none");
     if (which == "set" && (group == "offsets" || group == "zeros")) one->add_flag("--incremental", store.incremental, "added to what is there");
     if (which == "measure" && group == "offsets") one->add_option("--zero", store.zero, "zero offset of the workpiece; default G54");
+    if (group == "offsets" && (which == "set" || which == "measure" || which == "touch" || which == "relative")) one->add_option("--plane", store.plane, "of an edge: 17, 18 (default) or 19 says which length lies along X, Y, Z")->check(CLI::IsMember({17, 18, 19}));
     if (group == "presetter") one->add_option("--calibration", store.name, "file of the calibration; default presetter.json");
     if (group == "presetter") one->add_option("--frames", store.frames, "of a camera, put together to one picture; default 8")->check(CLI::Range(1, 256));
     if (group == "presetter" && which == "measure") one->add_flag("--yes", store.yes, "write it");

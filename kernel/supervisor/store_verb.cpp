@@ -110,23 +110,55 @@ Json tools_operation(const StoreOptions& o, std::string& wrong) {
     return op;
 }
 
+// A tool's edge as T3.D1 (T3: its first one), else the number of an offset.
+void name_offset(Json& op, const std::string& word) {
+    int tool = 0, edge = 0, used = 0;
+    if (std::sscanf(word.c_str(), "T%d%n", &tool, &used) != 1) return void(op["number"] = word);
+    op["tool"] = tool;
+    if (static_cast<std::size_t>(used) == word.size()) return;
+    if (std::sscanf(word.c_str(), "T%d.D%d%n", &tool, &edge, &used) == 2 && static_cast<std::size_t>(used) == word.size()) op["edge"] = edge;
+    else op.erase("tool"), op["number"] = word;
+}
+
+// «X=40», or of an edge «DP13=0.02».
+bool name_value(Json& op, const std::string& word) {
+    std::string name, value;
+    if (!split_field(word, name, value)) return false;
+    int dp = 0, used = 0;
+    op.erase("dp"), op.erase("field");
+    if (op.contains("tool") && std::sscanf(name.c_str(), "DP%d%n", &dp, &used) == 1 && static_cast<std::size_t>(used) == name.size()) op["dp"] = dp;
+    else op["field"] = name;
+    op["value"] = value;
+    return true;
+}
+
+// Values of an edge may be named without their table: DP13 is one of wear.
+std::size_t first_value(const Json& op, const std::vector<std::string>& words) { return op.contains("tool") && words.size() > 2 && words[2].find('=') != std::string::npos ? 2 : 3; }
+
 Json offsets_operation(const StoreOptions& o, std::string& wrong) {
     const auto& w = o.words;
     Json op = {{"do", "offsets." + o.action}};
     if (!w.empty()) op["channel"] = channel_of(w[0]);
     if (o.action == "history") op["most"] = o.most, op["who"] = o.who;
+    if (o.action == "undo" && w.size() > 1) {
+        name_offset(op, w[1]);
+        if (!op.contains("tool")) wrong = w[1];
+        return op;
+    }
+    if (o.plane) op["plane"] = o.plane;
     if (o.action == "touch") {
-        if (w.size() > 1) op["number"] = w[1];
+        if (w.size() > 1) name_offset(op, w[1]);
         if (w.size() > 2) op["table"] = w[2];
         op["preview"] = !o.yes;
         return op;
     }
-    if (w.size() < 4) return op;
-    op["number"] = w[1], op["table"] = w[2];
-    std::string name, value;
+    if (w.size() < 3) return op;
+    name_offset(op, w[1]);
+    const std::size_t first = first_value(op, w);
+    if (w.size() <= first) return wrong = w.back(), op;
+    if (first == 3) op["table"] = w[2];
     if (o.action == "relative") op["field"] = w[3];
-    else if (split_field(w[3], name, value)) op["field"] = name, op["value"] = value;
-    else wrong = w[3];
+    else if (!name_value(op, w[first])) wrong = w[first];
     op["incremental"] = o.incremental;
     if (!o.zero.empty()) op["zero"] = o.zero;
     return op;
@@ -288,13 +320,17 @@ int store_verb(const StoreOptions& options, bool json) {
     }
     // Several values of one offset or zero are several entries; the first refusal ends it.
     Json answer;
-    const std::size_t first = op.value("do", "") == "offsets.set" ? 3 : op.value("do", "") == "zeros.set" ? 2 : options.words.size();
+    const std::size_t first = op.value("do", "") == "offsets.set" ? first_value(op, options.words) : op.value("do", "") == "zeros.set" ? 2 : options.words.size();
     const std::size_t entries = first < options.words.size() ? options.words.size() - first : 1;
     for (std::size_t i = 0; i < entries; ++i) {
         if (entries > 1) {
             std::string name, value;
-            if (!split_field(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
-            op["field"] = name, op["value"] = value;
+            if (op.value("do", "") == "offsets.set") {
+                if (!name_value(op, options.words[first + i])) return wrong_word(options.words[first + i]);
+            } else {
+                if (!split_field(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
+                op["field"] = name, op["value"] = value;
+            }
         }
         if (!(asks_history(op) ? ask_history(instance, op, answer) : send(instance, op, answer))) return 2;
         if (op.value("do", "") == "stops.list" && !json) tell_stops(instance, answer);

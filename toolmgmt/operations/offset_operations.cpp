@@ -199,7 +199,7 @@ Json set(const Json& request, Work& work) {
     double value = 0;
     if (!read_target(request, work, target) || !read_real(request, "value", value, work)) return {};
     const double before = value_now(work, target);
-    if (request.value("incremental", false)) value += before;
+    if (request.value("incremental", false)) value = std::round((value + before) * 1e9) / 1e9;   // 0.8 and 0.4 are 1.2
     enter(work, target, value);
     return {{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}};
 }
@@ -368,16 +368,30 @@ bool key_of(const std::string& what, Key& key) {
     return false;
 }
 
+// "tool 41 D1 DP3" likewise.
+bool edge_of(const std::string& what, Key& key) {
+    int tool = 0, edge = 0, dp = 0, used = 0;
+    if (std::sscanf(what.c_str(), "tool %d D%d DP%d%n", &tool, &edge, &dp, &used) != 3 || static_cast<std::size_t>(used) != what.size()) return false;
+    key = {Kind::Edge, tool, edge, dp, {}};
+    return true;
+}
+
+// The newest entry that somebody has made and nobody has taken back: of the channel's offsets, or of the tool («tool», «edge») that is named.
 Json undo(const Json& request, Work& work) {
     if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
-    std::int64_t channel = 0;
+    std::int64_t channel = 0, tool = 0, edge = 0;
     read_whole(request, "channel", channel, work, false);
-    const auto entries = work.disk->history({Database::HistoryOf::Kind::EnteredOffsets, channel ? "L" + std::to_string(channel) + " offset" : "", {}, {}, 0, 2000});
+    const bool of_edges = request.contains("tool");
+    if (of_edges && !read_whole(request, "tool", tool, work)) return {};
+    read_whole(request, "edge", edge, work, false);
+    if (!work.good()) return {};
+    const std::string about = of_edges ? "tool " + std::to_string(tool) + (edge > 0 ? " D" + std::to_string(edge) + " " : " ") : channel ? "L" + std::to_string(channel) + " offset" : "";
+    const auto entries = work.disk->history({of_edges ? Database::HistoryOf::Kind::EnteredEdges : Database::HistoryOf::Kind::EnteredOffsets, about, {}, {}, 0, 2000});
     if (!entries) return work.fault(entries.diagnosis()), Json();
     int undone = 0;   // what was taken back already, newest first
     for (const auto& entry : entries->entries) {
         Key key;
-        if (entry.who == "program" || entry.who == "setup" || !key_of(entry.what, key)) continue;
+        if (entry.who == "program" || entry.who == "setup" || !(of_edges ? edge_of(entry.what, key) : key_of(entry.what, key))) continue;
         if (entry.who.size() > 5 && entry.who.ends_with(" undo")) {
             ++undone;
             continue;
@@ -386,11 +400,14 @@ Json undo(const Json& request, Work& work) {
             --undone;
             continue;
         }
-        const double* now = number_at(work.values, key);
+        const ToolEdge* const held = of_edges ? find_edge(work.values, key.scope, key.number) : nullptr;
+        const double none = 0.0;   // of an edge without a value
+        const double* now = of_edges ? (held ? &held->dp[static_cast<std::size_t>(key.field)] : &none) : number_at(work.values, key);
         const double before = std::strtod(entry.before.c_str(), nullptr), after = std::strtod(entry.after.c_str(), nullptr);
         if (!now || *now != after) return work.fault(Alarm::StoreRequestBad, entry.what + " is " + (now ? shortest_text(*now) : "") + " now: something else has changed it since " + entry.utc), Json();
         work.caller.name += " undo";
-        enter_offset(work, key.scope, key.number, key.field / 256, key.field % 256, before);
+        if (of_edges) enter_edge(work, static_cast<std::int32_t>(channel ? channel : 1), key.scope, key.number, key.field, before);
+        else enter_offset(work, key.scope, key.number, key.field / 256, key.field % 256, before);
         return {{"what", entry.what}, {"old", after}, {"new", before}, {"entered", entry.utc}, {"who", entry.who}};
     }
     return work.fault(Alarm::StoreRequestBad, "there is nothing to take back"), Json();

@@ -39,6 +39,7 @@ TEST_F(HistoryPlan, EachQuestionHasItsIndexAndNothingIsSorted) {
         {{Of::Kind::Parameters}, "INDEX history_parameters"},
         {{Of::Kind::Parameters, "", "", "2026-01-31T12:00:00.000Z", 7}, "INDEX history_parameters (utc<?)"},
         {{Of::Kind::EnteredOffsets, "L2 offset"}, "INDEX history_entered"},
+        {{Of::Kind::EnteredEdges, "tool 3 D1 "}, "INDEX history_edges"},
         {{Of::Kind::All}, "INDEX history_utc"},
     };
     for (const auto& [of, index] : kQuestions) {
