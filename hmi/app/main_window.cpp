@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/lengths.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
@@ -80,7 +81,7 @@ MainWindow::MainWindow(Choices choices)
     desk_.tell = [this](const QString& text, Told how) { tell(text, how); };
     desk_.keysChanged = [this] { if (ready_) showKeys(), rail_->refresh(); };
     desk_.show = [this](int number) { showScreen(number); };
-    requests_.onRefused = [this](const Answer& answer) { tell(answer.text + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
+    requests_.onRefused = [this](const Answer& answer) { tell(retoldLengths(answer.text, live_.commonUnit()) + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
 
     setWindowTitle("Polyturn");
     setMinimumSize(600, 480);

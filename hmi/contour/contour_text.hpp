@@ -24,6 +24,7 @@ struct Writing {
     enum class Language : unsigned char { Family, Fagor, Sinumerik } language = Language::Family;
     bool diameter = true;          // X words count so
     bool says_absolute = false;    // G90 is a distance mode: the first block says it
+    bool inch = false;                    // lengths are inches, as the program counts them
     int decimals = 3;
 };
 

@@ -1,6 +1,8 @@
 #include "hmi/machine/lengths.hpp"
 
+#include <QRegularExpression>
 #include <algorithm>
+#include <functional>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/text/tongues.hpp"
@@ -25,6 +27,38 @@ QString LengthUnit::perMinute() const { return unitWord(perMinuteKey()); }
 QString LengthUnit::perRevolution() const { return unitWord(inch() ? "inch/rev" : "mm/rev"); }
 QString LengthUnit::surfaceName() const { return unitWord(inch() ? "ft/min" : "m/min"); }
 QString LengthUnit::speed(double perMinute) const { return QString::number(of(perMinute), 'f', inch() ? 1 : 0); }
+
+namespace {
+
+QString replacedNumbers(const QString& text, const QRegularExpression& number, const std::function<QString(const QRegularExpressionMatch&)>& other) {
+    QString out;
+    qsizetype done = 0;
+    for (auto found = number.globalMatch(text); found.hasNext();) {
+        const auto one = found.next();
+        out += text.mid(done, one.capturedStart() - done) + other(one);
+        done = one.capturedEnd();
+    }
+    return out + text.mid(done);
+}
+
+QString shortNumber(double value, int decimals) {
+    QString out = QString::number(value, 'f', decimals);
+    while (out.contains('.') && (out.endsWith('0') || out.endsWith('.'))) out.chop(1);
+    return out;
+}
+
+}  // namespace
+
+QString retoldLengths(const QString& text, const LengthUnit& unit) {
+    if (!unit.inch()) return text;
+    static const QRegularExpression kLength(QString::fromUtf8("(-?\\d+(?:\\.\\d+)?) (?:mm|мм)(?![\\w/])"), QRegularExpression::UseUnicodePropertiesOption);
+    return replacedNumbers(text, kLength, [&](const QRegularExpressionMatch& one) { return shortNumber(unit.of(one.captured(1).toDouble()), 4) + " " + unit.name(); });
+}
+
+QString scaledNumbers(const QString& text, double factor) {
+    static const QRegularExpression kNumber("-?(?:\\d+\\.?\\d*|\\.\\d+)");
+    return replacedNumbers(text, kNumber, [&](const QRegularExpressionMatch& one) { return shortNumber(one.captured().toDouble() * factor, 5); });
+}
 
 LengthUnit lengthUnit(const MachineConfig& machine, unsigned channel) {
     if (channel < 1 || channel > kMaxChannels) return {};

@@ -33,6 +33,10 @@ struct LengthUnit {
 };
 
 LengthUnit lengthUnit(const MachineConfig& machine, unsigned channel);
+// What the controller says in millimetres («at most 1 mm»), in the unit that screens take; in millimetres as it is.
+QString retoldLengths(const QString& text, const LengthUnit& unit);
+// Every number of a text multiplied: an outline «X -60:0 Z -20:5» in the other unit.
+QString scaledNumbers(const QString& text, double factor);
 LengthUnit lengthUnit(const MachineConfig& machine, const AxisConfig& axis);   // of a turning axis degrees
 // One unit for what belongs to no channel (tools of a magazine, stock): inches only where all channels count them.
 LengthUnit commonUnit(const MachineConfig& machine);

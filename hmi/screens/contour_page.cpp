@@ -97,13 +97,13 @@ ContourPage::ContourPage(Desk& desk, QWidget* parent)
         const auto held = value(one);
         if (column == 0) return {one.name, t.accent, Sign::None, true};
         if (column == 1) return {word(one.meaning) + (one.x && writing_.diameter ? QString::fromUtf8(" ⌀") : QString()), held ? t.text : t.dim, Sign::None, false, Face::Text, {}, 14};
-        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(unitWord(one.unit)).trimmed() : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
+        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(unitOf(one)).trimmed() : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
     };
     data_->onChosen = [this] { pad_->clear(); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Datum* one = datum();
         if (!one) return std::nullopt;
-        return NumberPad::Field{QString(one->name) + "  " + word(one->meaning), unitWord(one->unit), value(*one).value_or(0.0), 3};
+        return NumberPad::Field{QString(one->name) + "  " + word(one->meaning), unitOf(*one), value(*one).value_or(0.0), writing_.inch ? 4u : 3u};
     };
     pad_->onInput = [this](double number) { input(number); };
     picture_->onChosen = [this](std::size_t choice, std::size_t solution) { choose(choice, solution); };
@@ -127,7 +127,7 @@ void ContourPage::open(const QStringList& lines, int cursor, contour::Writing wr
     hint_.clear();
     edited_ = false;
     now_ = {};
-    now_.contour.start = {0.0, 10.0};
+    now_.contour.start = {0.0, writing.inch ? 0.5 : 10.0};
     if (place_.to >= place_.from) {
         int fault = -1;
         if (const auto found = contour::read_contour(lines_, place_, writing_, &fault)) {
@@ -153,6 +153,9 @@ void ContourPage::load(const contour::Description& description) {
     elements_->choose(static_cast<int>(now_.contour.elements.size()));
     changed();
 }
+
+// Lengths as the program counts them, whatever the screens show.
+QString ContourPage::unitOf(const Datum& datum) const { return unitWord(writing_.inch && std::string_view(datum.unit) == "mm" ? "inch" : datum.unit); }
 
 const ContourPage::Datum* ContourPage::datum() const {
     const auto& all = dataOf(elements_->row() == 0 ? -1 : static_cast<int>(now_.contour.elements[static_cast<std::size_t>(elements_->row() - 1)].kind));

@@ -36,6 +36,7 @@ private:
     struct Datum;
     static const std::vector<Datum>& dataOf(int kind);     // -1: the start
     const Datum* datum() const;
+    QString unitOf(const Datum& datum) const;
     contour::Element* element();
     std::optional<double> value(const Datum& datum) const;
     void put(const Datum& datum, std::optional<double> value);

@@ -14,16 +14,17 @@ using forms::Unit;
 
 QString addressText(const forms::Field& field, const forms::Value& value) { return value.address.empty() ? fromView(field.address) : QString::fromStdString(value.address); }
 
-QString unitText(Unit unit) {
+// Lengths as the program counts them, whatever the screens show.
+QString unitText(Unit unit, bool inch) {
     switch (unit) {
-        case Unit::Length: case Unit::Fine: return unitWord("mm");
-        case Unit::Diameter: return word("mm, diameter");
+        case Unit::Length: case Unit::Fine: return unitWord(inch ? "inch" : "mm");
+        case Unit::Diameter: return inch ? word("inch, diameter") : word("mm, diameter");
         case Unit::Degrees: case Unit::Rotary: case Unit::Thousandth: return QString::fromUtf8("°");
         case Unit::Milliseconds: return unitWord("ms");
         case Unit::Hundredths: return word("1/100 s");
         case Unit::Seconds: return unitWord("s");
         case Unit::FeedRate: return word("feed");
-        case Unit::Lead: return unitWord("mm/rev");
+        case Unit::Lead: return unitWord(inch ? "inch/rev" : "mm/rev");
         case Unit::Tenths: return word("1/10 lead");
         case Unit::Label: return "N";
         case Unit::Speed: return unitWord("1/min");
@@ -54,7 +55,7 @@ CycleFormPage::CycleFormPage(Desk& desk, QWidget* parent) : EditorOverlay(parent
         if (i < 0) return std::nullopt;
         const forms::Field& f = now_->form->fields[static_cast<std::size_t>(i)];
         const forms::Value& v = now_->values[static_cast<std::size_t>(i)];
-        return NumberPad::Field{addressText(f, v) + "  " + word(f.meaning), unitText(f.unit), v.expression.empty() ? v.number : 0.0, static_cast<unsigned>(forms::decimals_of(f, dialect_))};
+        return NumberPad::Field{addressText(f, v) + "  " + word(f.meaning), unitText(f.unit, dialect_.inch), v.expression.empty() ? v.number : 0.0, static_cast<unsigned>(forms::decimals_of(f, dialect_))};
     };
     pad_->onInput = [this](double value) { input(value); };
     note_->onCompose = [this](Writer& w) { composeNote(w); };
@@ -98,7 +99,7 @@ void CycleFormPage::showForm(forms::CycleBlock cycle) {
 
 void CycleFormPage::choose(int row) {
     if (row < 0 || row >= static_cast<int>(list_.size())) return;
-    forms::CycleBlock fresh = forms::new_cycle(*list_[static_cast<std::size_t>(row)]);
+    forms::CycleBlock fresh = forms::new_cycle(*list_[static_cast<std::size_t>(row)], dialect_);
     before_ = forms::CycleBlock{fresh.form, fresh.values, {-1, -1}};
     showForm(std::move(fresh));
     if (desk_.keysChanged) desk_.keysChanged();
@@ -181,7 +182,7 @@ Table::Cell CycleFormPage::cell(int row, int column) const {
             if (missing) return {valueText(row), t.warn, Sign::Note, true, Face::Text};
             return {v.set ? valueText(row) : QString::fromUtf8("–"), good ? (changed ? t.accent : v.set ? t.text : t.faint) : t.bad, good ? Sign::None : Sign::Warning, changed || !good, Face::Text};
         }
-        default: return {unitText(f.unit), t.dim, Sign::None, false, Face::Text, {}, 13.5};
+        default: return {unitText(f.unit, dialect_.inch), t.dim, Sign::None, false, Face::Text, {}, 13.5};
     }
 }
 

@@ -11,6 +11,7 @@
 #include <QTextBlock>
 #include <algorithm>
 
+#include "hmi/machine/program_unit.hpp"
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/text/retold.hpp"
@@ -278,12 +279,20 @@ void EditorPage::show(EditorOverlay* over) {
 }
 
 void EditorPage::openForm() {
-    if (form_->open(edit_->toPlainText().split('\n'), edit_->textCursor().blockNumber(), formDialect(desk_.live, desk_.channel, language_))) show(form_);
+    const QStringList lines = edit_->toPlainText().split('\n');
+    const int cursor = edit_->textCursor().blockNumber();
+    forms::Dialect dialect = formDialect(desk_.live, desk_.channel, language_);
+    if (countsInches(desk_.live, desk_.channel, language_, lines, cursor)) dialect.count_inches();
+    if (form_->open(lines, cursor, dialect)) show(form_);
     else desk_.tell(word("This language has no cycles."), Told::Refused);
 }
 
 void EditorPage::openContour() {
-    contour_->open(edit_->toPlainText().split('\n'), edit_->textCursor().blockNumber(), contourWriting(desk_.live, desk_.channel, language_));
+    const QStringList lines = edit_->toPlainText().split('\n');
+    const int cursor = edit_->textCursor().blockNumber();
+    contour::Writing writing = contourWriting(desk_.live, desk_.channel, language_);
+    if (countsInches(desk_.live, desk_.channel, language_, lines, cursor)) writing.inch = true, writing.decimals = std::min(writing.decimals + 1, 6);
+    contour_->open(lines, cursor, writing);
     show(contour_);
 }
 

@@ -250,7 +250,11 @@ void ScopePage::save() {
     const QString folder = desk_.folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : desk_.folder;
     const QString name = QDir(folder).filePath("scope-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + ".csv");
     std::array<std::string, kScopeTraces> names;
-    for (std::size_t i = 0; i < kScopeTraces; ++i) names[i] = choice_.kind[i] ? titleOf(i).replace(',', ' ').toStdString() : std::string();
+    for (std::size_t i = 0; i < kScopeTraces; ++i) {   // with the unit that the values have: inches where the axis shows them
+        QString unit;
+        const QString title = choice_.kind[i] ? titleOf(i, &unit) : QString();
+        names[i] = QString(unit.isEmpty() || title.isEmpty() ? title : QString("%1 [%2]").arg(title, unitWord(unit.toStdString()))).replace(',', ' ').toStdString();
+    }
     // The place may be slow, and a minute of ticks makes megabytes of text: a worker does both.
     exporting_ = name;
     writing_.start([name, names, samples = record_.samples(), tick_s = desk_.live.seconds(1)](const std::atomic<bool>& stop) {

@@ -197,12 +197,17 @@ std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int 
     return found;
 }
 
-CycleBlock new_cycle(const Form& form) {
+namespace {
+bool is_length(Unit unit) { return unit == Unit::Length || unit == Unit::Diameter || unit == Unit::Fine || unit == Unit::Lead || unit == Unit::FeedRate; }
+}  // namespace
+
+CycleBlock new_cycle(const Form& form, const Dialect& dialect) {
     CycleBlock cycle;
     cycle.form = &form;
     for (const Field& field : form.fields) {
         Value value;
         if (const auto number = plain_number(field.preset)) value.set = true, value.number = *number;
+        if (value.set && dialect.inch && is_length(field.unit)) value.number = std::round(value.number / 25.4 * 1000) / 1000;   // what is proposed is no measure
         cycle.values.push_back(std::move(value));
     }
     return cycle;

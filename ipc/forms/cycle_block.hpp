@@ -31,7 +31,7 @@ struct CycleBlock {
 // The cycle at a line, or that whose second (first) block stands there.
 std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int line, const Dialect& dialect);
 // What a form proposes where nothing stands yet.
-CycleBlock new_cycle(const Form& form);
+CycleBlock new_cycle(const Form& form, const Dialect& dialect = {});
 
 struct FieldFault {
     enum Kind { None, Missing, TooSmall, TooLarge, NotWhole, NoNumber } kind = None;

@@ -20,7 +20,7 @@ inline constexpr std::uint16_t kFanucAB = kFanucA | kFanucB, kSeries15AB = kSeri
 inline constexpr std::uint16_t kNative = kFanucAB | kFanucC, kSeries15 = kSeries15AB | kSeries15C;
 
 enum class Unit : std::uint8_t {
-    Length,        // mm along an axis, or of no axis (radius)
+    Length,        // mm (or inches, as the program counts) along an axis, or of no axis (radius)
     Diameter,      // mm, a coordinate of X: a diameter while the channel counts X so
     Fine,          // mm; the family writes it as a whole number of least increments: P1500 is 1.5 mm
     Degrees,       // a plain number
@@ -83,7 +83,9 @@ std::span<const Form> sinumerik_forms();
 struct Dialect {
     std::uint16_t speaks = 0;       // one of Speaks; 0: this language has no cycles
     bool point_needed = false;      // X40 is 40 least increments, X40. is 40 mm
-    double increment = 0.001;       // the least one, mm
+    double increment = 0.001;       // the least one, mm or inches
+    bool inch = false;              // lengths are inches where the cycle stands: every number is as it is written
+    void count_inches() { inch = true, increment *= 0.1; }   // one decimal more
 };
 // system: of the fanuc codes, 'A', 'B' or 'C'.
 Dialect dialect_of(std::string_view language, char system, bool series15, bool point_means_nothing, double increment);

@@ -61,6 +61,43 @@ protected:
     std::unique_ptr<Operator> hand;
 };
 
+// What is written into the program is in the program's unit, and named so, whatever the screens show: here G20 stands above.
+TEST_F(Forms, CountInchesWhereTheProgramDoes) {
+    const auto unitOf = [&](int row) { return editor().form().table().cell(row, 3).text; };
+    cursor(4);
+    hand->soft("Cycle form");
+    EXPECT_EQ(unitOf(0), "mm");
+    hand->soft("Back to the text");
+    QString inches = text();
+    editor().edit().setPlainText(inches.replace("N10 G99", "N10 G20 G99 (G21)").replace("U2. R0.5", "U.08 R.02").replace("U0.4 W0.1 F0.25", "U.016 W.004 F.01"));
+    cursor(4);
+    hand->soft("Cycle form");
+    CycleFormPage& form = editor().form();
+    ASSERT_TRUE(form.cycle());
+    EXPECT_EQ(unitOf(0), "inch");
+    EXPECT_EQ(form.table().cell(0, 2).text, "0.08");
+    hand->touchCell(form.table(), 0, 2);
+    hand->type("0.0625"), hand->key(Qt::Key_Return);
+    hand->soft("Write into the program");
+    EXPECT_TRUE(text().contains("U.0625 R.02") || text().contains("U0.0625 R.02")) << text().toStdString();
+    // What a new form proposes is no millimetre either.
+    cursor(8);
+    hand->soft("Cycle form");
+    for (int row = 0; row < form.table().rows(); ++row)
+        if (form.table().cell(row, 0).text == "G71") { form.choose(row); break; }
+    ASSERT_TRUE(form.cycle());
+    for (const auto& value : form.cycle()->values)
+        if (value.set) { EXPECT_LT(value.number, 1.0); }
+    hand->soft("Back to the text");
+    cursor(8);
+    hand->soft("Contour");
+    const ContourPage& contour = editor().contour();
+    bool inch = false, mm = false;
+    for (const Item& item : const_cast<ContourPage&>(contour).data().items()) inch |= item.text.contains("inch"), mm |= item.text.contains(" mm");
+    EXPECT_TRUE(inch);
+    EXPECT_FALSE(mm);
+}
+
 TEST_F(Forms, ACycleIsReadChangedAndWrittenBack) {
     cursor(4);
     hand->soft("Cycle form");

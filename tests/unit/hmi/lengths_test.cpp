@@ -1,6 +1,7 @@
 // A machine whose measuring devices count inches (N0104 #0; nct_parameters_part1 1.3, 3.3): the screens show and take inches, the store
 // keeps millimetres.
 #include "hmi/machine/lengths.hpp"
+#include "hmi/machine/program_unit.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "tests/unit/hmi/tasks.hpp"
@@ -74,6 +75,30 @@ TEST(Lengths, AreTypedInTheUnitOfTheField) {
         pad.enter(one.added);
         EXPECT_NEAR(entered, one.held, 1e-9) << one.typed;
     }
+}
+
+// What the controller refuses in millimetres, and an outline, in the unit that is shown and taken.
+TEST(Lengths, InTextsAreToldInTheUnitOfTheScreens) {
+    const LengthUnit inch{Kind::Inch, 4}, mm{};
+    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", inch), "wear is 0.0197 inch at the most (N1415)");
+    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", mm), "wear is 0.5 mm at the most (N1415)");
+    EXPECT_EQ(retoldLengths(QString::fromUtf8("износ не больше 25.4 мм (N1415)"), inch), QString::fromUtf8("износ не больше 1 inch (N1415)"));
+    EXPECT_EQ(retoldLengths("100 mm/min", inch), "100 mm/min");
+    EXPECT_EQ(scaledNumbers("X -60:0 Z -25.4:5.08", 1 / 25.4), "X -2.3622:0 Z -1:0.2");
+    EXPECT_EQ(scaledNumbers("X -2.5:0 Z -1:.2", 25.4), "X -63.5:0 Z -25.4:5.08");
+}
+
+TEST(Lengths, OfAProgramAreThoseOfItsLastUnitCode) {
+    Live nobody("hmi-test-nobody");
+    const auto inches = [&](const char* language, QStringList lines) { return countsInches(nobody, 1, language, lines, static_cast<int>(lines.size()) - 1); };
+    struct {
+        const char *language, *text;
+        bool inch;
+    } facts[] = {{"fanuc", "G20\nX1.", true},          {"fanuc", "G20\nN5G21X1.", false},   {"fanuc", "(G20)\nX1.", false},        {"fanuc", "G71 U2.\nG70 P1 Q2", false},
+                 {"nct", "G020 G0", true},               {"fagor", "G70\nX1", true},           {"fagor", "G70\nG71", false},          {"fagor", "G20", false},
+                 {"sinumerik", "G700\nX1", true},       {"sinumerik", "G70\nG710 X1", false}, {"sinumerik", "X1 ;G70", false},        {"sinumerik", "MSG(\"G70\")", false},
+                 {"fanuc", "G200", false},               {"fanuc", "G20.1", false},             {"fanuc", "G21 (x)\nG20 G99", true}};
+    for (const auto& one : facts) EXPECT_EQ(inches(one.language, QString(one.text).split('\n')), one.inch) << one.language << ": " << one.text;
 }
 
 class InchTasks : public Tasks {
