@@ -36,6 +36,8 @@ struct HelpTopic {
     bool code = false;                // find a word of a program: whole, and as it is written
 };
 
+inline constexpr int kOffsetsScreen = 3;   // Desk::show(): its place in screen_list.cpp
+
 enum class Told : std::uint8_t { Note, Good, Refused };
 
 // What every screen may use.
@@ -51,6 +53,7 @@ struct Desk {
     QString folder = {};                                       // of the programs shown last
     Draft draft = {};                                          // what an editor that is gone has left
     QString draftFile = {};                                    // where it is kept; empty: nowhere
+    std::int32_t toolOfOffsets = 0, edgeOfOffsets = 0;          // whose line the screen of offsets goes to when it is shown next; 0: none
     KeptPieces kept = {};                                      // of what screens show
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };

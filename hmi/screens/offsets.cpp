@@ -2,12 +2,14 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/channel_keys.hpp"
 #include "hmi/text/dates.hpp"
+#include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/upright.hpp"
 #include "ipc/machine/work_zeros.hpp"
@@ -45,22 +47,27 @@ double cellValue(const OffsetCell& cell, char field) {
 // Columns of edges: tool, D, and these.
 constexpr double kTurningTool = 500;   // of a new edge whose tool has no type
 constexpr int kEdgeColumns[] = {kDpType, kDpTip, kDpLength, kDpLength + 1, kDpLength + 2, kDpRadius, kDpWear, kDpWear + 1, kDpWear + 2, kDpWearRadius};
+constexpr int kBaseColumns[] = {kDpType, kDpTip, kDpLength, kDpLength + 1, kDpLength + 2, kDpRadius, kDpBase, kDpBase + 1, kDpBase + 2, kDpBaseRadius};
 
 }  // namespace
 
 QString Offsets::Value::text(double held) const { return lengthText(unit.of(held), decimals); }
 QString Offsets::Value::unitText() const { return angle ? QString(QChar(0xB0)) : decimals ? unit.name() + (diameter ? kDiameter : QString()) : QString(); }
 
-Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)), parts_(new PartsPage(desk, this)) {
+Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), find_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)), parts_(new PartsPage(desk, this)) {
     parts_->hide();
     undo_.present = [this](const Value& value) { return presentOf(value); };
     undo_.same = [](double a, double b) { return std::abs(a - b) <= 5e-7; };
     undo_.putBack = [this](const Undo::Change& change) {
         Value value = change.where;
+        if (!value.gone.empty()) return setEdge(value, true);
         value.present = presentOf(value);
         put(value, change.old, true);
     };
-    undo_.keep = [this](const Undo::Change& change, double there) { desk_.tell(word("%1 is %2 by now: it stays").arg(change.where.title, change.where.text(there)), Told::Refused); };
+    undo_.keep = [this](const Undo::Change& change, double there) {
+        if (!change.where.gone.empty()) return desk_.tell(word("%1 has values again: they stay").arg(change.where.title), Told::Refused);
+        desk_.tell(word("%1 is %2 by now: it stays").arg(change.where.title, change.where.text(there)), Told::Refused);
+    };
     setFocusPolicy(Qt::StrongFocus);
     table_->byCell = true;
     table_->rowUnits = 34;
@@ -71,8 +78,20 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
         composeChannelKeys(w, desk_, head_->size());
     };
     head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
+    find_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, find_->width(), find_->height()), t.window);
+        const bool any = !search_.isEmpty();
+        const double count = any ? px(120) : 0;
+        w.field(QRectF(0, px(1), find_->width() - count, find_->height() - px(7)), search_, zeros_ ? word("Search: a zero") : edged_ ? word("Search: number, tool, edge") : word("Search: number or tool"), any, kFindHit);
+        if (any) w.data(QRectF(find_->width() - count, 0, count - px(4), find_->height() - px(6)), QString("%1 / %2").arg(rows_.size()).arg(rowsInAll()), lettering(15), t.dim, kRight);
+    };
+    find_->onTouched = [this](int) { desk_.ask({word("Search"), search_, [this](const QString& text) { find(text); }, {}}); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
-    table_->onChosen = [this] { pad_->clear(), askHistory(), side_->refresh(); };
+    table_->onChosen = [this] {
+        if (const int row = at(table_->row()); row >= 0) wanted_ = row;
+        pad_->clear(), askHistory(), side_->refresh();
+    };
     table_->onActivated = [this] {};
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto value = chosen();
@@ -86,7 +105,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
 }
 
 std::vector<Sheet*> Offsets::sheets() {
-    if (!partsShown_) return {head_, table_, side_, pad_};
+    if (!partsShown_) return {head_, find_, table_, side_, pad_};
     std::vector<Sheet*> out = parts_->sheets();
     out.push_back(head_);
     return out;
@@ -95,7 +114,7 @@ std::vector<Sheet*> Offsets::sheets() {
 void Offsets::showParts(bool on) {
     partsShown_ = on;
     if (on) parts_->begin();
-    table_->setVisible(!on), side_->setVisible(!on), pad_->setVisible(!on), parts_->setVisible(on);
+    table_->setVisible(!on), find_->setVisible(!on), side_->setVisible(!on), pad_->setVisible(!on), parts_->setVisible(on);
     layOut();
     if (desk_.keysChanged) desk_.keysChanged();
 }
@@ -103,16 +122,79 @@ void Offsets::showParts(bool on) {
 void Offsets::showZeros(bool zeros) {
     if (zeros_ == zeros) return;
     zeros_ = zeros;
+    search_.clear(), wanted_ = 0;
     build();
     table_->choose(0, firstColumn());
 }
 
-QString Offsets::state() const { return QString("%1 %2 %3").arg(partsShown_ ? 2 : zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
+// The page, the row and the column; base lengths of edges, what is searched.
+QString Offsets::state() const { return QString("%1 %2 %3 %4 %5").arg(partsShown_ ? 2 : zeros_ ? 1 : 0).arg(wanted_).arg(table_->column()).arg(base_ ? 1 : 0).arg(search_); }
 void Offsets::restore(const QString& state) {
     const QStringList parts = state.split(' ');
-    if (parts.size() != 3) return;
+    if (parts.size() < 3) return;
     showZeros(parts[0] == "1"), showParts(parts[0] == "2");
-    table_->choose(parts[1].toInt(), parts[2].toInt());
+    if (const bool base = parts.size() > 3 && parts[3] == "1"; std::exchange(base_, base) != base) build();
+    search_ = state.section(' ', 4);
+    wanted_ = parts[1].toInt();
+    table_->choose(table_->row(), parts[2].toInt());
+    wanted_ = parts[1].toInt();
+    filter();
+}
+
+void Offsets::find(const QString& text) {
+    search_ = text;
+    filter();
+    refresh();
+}
+
+int Offsets::rowsInAll() const {
+    if (!desk_.live.connected() || built_ != desk_.channel) return 0;
+    return zeros_ ? static_cast<int>(zeroRows_.size()) : edged_ ? static_cast<int>(edges_.size()) : std::max<int>(0, desk_.live.config().channel(desk_.channel).offset_count);
+}
+
+// A number is a whole one: «1» finds T1 and D1, not 11; anything else may be a part of a name.
+bool Offsets::found(int row) const {
+    const QString typed = search_.trimmed();
+    if (typed.isEmpty()) return true;
+    const auto same = [&](const QString& text) { return text.compare(typed, Qt::CaseInsensitive) == 0; };
+    bool numeric = false;
+    typed.toInt(&numeric);
+    if (zeros_) {
+        const QString name = zeroTitle(QString::fromStdString(work_zero_name(zeroRows_[static_cast<std::size_t>(row)])));
+        return numeric ? same(QString(name).remove(QRegularExpression("^\\D*"))) || name.endsWith('P' + typed) || name.endsWith(' ' + typed) : holds(name, typed);
+    }
+    const auto ofTool = [&](std::int32_t number) {
+        const ToolRow* tool = toolOf(desk_.live, number);
+        return tool && (same(QString("T%1").arg(number)) || same(QString("T%1").arg(tool->type_number)) || (numeric ? same(QString::number(number)) : holds(toolName(*tool, number), typed)));
+    };
+    if (edged_) {
+        const EdgeLine line = edges_[static_cast<std::size_t>(row)];
+        return ofTool(line.tool) || same(QString("D%1").arg(line.edge));
+    }
+    if (numeric) return same(QString::number(row + 1));
+    // Of an offset the tools that work with it.
+    for (std::size_t i = 0; i < kTools; ++i)
+        if (const ToolRow& tool = desk_.live.tools().rows[i]; tool.used && tool.h_cell == row + 1 && ofTool(static_cast<std::int32_t>(i + 1))) return true;
+    return false;
+}
+
+void Offsets::filter() {
+    rows_.clear(), foundFor_ = desk_.live.toolsVersion();
+    for (int row = 0; row < rowsInAll(); ++row)
+        if (found(row)) rows_.push_back(row);
+    const bool managed = !byEdges() || toolsManaged(desk_.live);
+    table_->nothing = !search_.isEmpty() ? word("Nothing is like this. Escape shows all.") : !byEdges() ? word("This channel has no offsets.") : managed ? word("This channel has no tools: enter them on the page of tools.") : word("Without tool management (N2900) programs bring their own tools and edges.");
+    chooseRow(wanted_);
+}
+
+// Where it stands among those that are shown; if it is not, the next one is chosen, and what has been typed is for no other.
+void Offsets::chooseRow(int row) {
+    const auto here = std::lower_bound(rows_.begin(), rows_.end(), row);
+    const int place = std::min(static_cast<int>(here - rows_.begin()), std::max(0, static_cast<int>(rows_.size()) - 1));
+    const int now = at(place);
+    if (place != table_->row()) table_->choose(place, table_->column());
+    else if (now >= 0 && now != row) pad_->clear(), askHistory();
+    wanted_ = now >= 0 ? now : row;
 }
 
 void Offsets::build() {
@@ -121,10 +203,10 @@ void Offsets::build() {
     edged_ = usesEdges(live, desk_.channel);
     table_->columns = {{zeros_ ? word("Zero") : edged_ ? word("Tool") : word("No."), zeros_ ? 1.3 : edged_ ? 2.6 : 0.8}};
     fields_ = {' '}, parameters_ = {0};
-    zeroRows_.clear();
+    zeroRows_.clear(), rows_.clear();
     table_->nothing = word("This channel has no offsets.");
+    table_->rows = [this] { return static_cast<int>(rows_.size()); };
     if (!live.connected() || live.channels().empty()) {
-        table_->rows = [] { return 0; };
         return;
     }
     const unsigned channel = desk_.channel;
@@ -132,16 +214,13 @@ void Offsets::build() {
         for (std::size_t row = 0; row < kWorkZeros; ++row)
             if (!work_zero_name(row).empty() && (row <= kZeroShift || row - kZeroG541 <= kMostZeros || row > kZeroG541 + 300)) zeroRows_.push_back(row);
         for (const std::uint16_t axis : live.config().channel(channel).axis_numbers()) table_->columns.push_back({fromView(live.config().axis(axis).name_text()) + (live.config().axis(axis).rotary ? QString::fromUtf8(" °") : live.config().axis(axis).diameter ? kDiameter : QString()), 1.2, kRight, true});
-        table_->rows = [this] { return static_cast<int>(zeroRows_.size()); };
     } else if (edged_) {
-        table_->nothing = toolsManaged(live) ? word("This channel has no tools: enter them on the page of tools.") : word("Without tool management (N2900) programs bring their own tools and edges.");
-        table_->rows = [this] { return static_cast<int>(edges_.size()); };
         takeEdges();
         table_->columns.push_back({"D", 0.5, kRight}), parameters_.push_back(0);
         const bool third = placeOf(live, channel, 'Y') >= 0 || std::any_of(edges_.begin(), edges_.end(), [&](EdgeLine one) { return sumOfLength(live, one, 2) != 0; });
-        for (const int dp : kEdgeColumns) {
+        for (const int dp : base_ ? kBaseColumns : kEdgeColumns) {
             if (isLength(dp) && lengthOf(dp) == 2 && !third) continue;
-            table_->columns.push_back({edgeParameterTitle(dp), dp == kDpTip ? 1.0 : dp == kDpType ? 0.75 : is_edge_wear(dp) || dp == kDpRadius ? 1.1 : 1.25, kRight, true}), parameters_.push_back(dp);
+            table_->columns.push_back({edgeParameterTitle(dp), dp == kDpTip ? 1.0 : dp == kDpType ? 0.75 : dp >= kDpWear || dp == kDpRadius ? 1.1 : 1.25, kRight, true}), parameters_.push_back(dp);
         }
     } else {
         const auto named = [&](const QString& what, char letter) { return QString("%1 %2").arg(what).arg(letter) + (inDiameter(live, channel, letter) ? kDiameter : QString()); };
@@ -153,15 +232,17 @@ void Offsets::build() {
         for (const char letter : {'X', 'Y', 'Z'})
             if (placeOf(live, channel, letter) >= 0) add(named(word("Wear"), letter), static_cast<char>(letter + 32), 1.05);
         add(word("Wear R"), 'r', 1.0);
-        table_->rows = [this] { return std::max<int>(0, desk_.live.config().channel(desk_.channel).offset_count); };
     }
-    table_->cell = [this](int row, int column) -> Table::Cell {
+    filter();
+    table_->cell = [this](int shownRow, int column) -> Table::Cell {
         const Theme& t = theme();
+        const int row = at(shownRow);
+        if (row < 0) return {};
         const bool now = active(row);
         if (column == 0 && byEdges()) {
             const EdgeLine line = edges_[static_cast<std::size_t>(row)];
             const ToolRow* tool = toolOf(desk_.live, line.tool);
-            if (!tool || (row > 0 && edges_[static_cast<std::size_t>(row) - 1].tool == line.tool)) return {QString(), t.dim, now ? Sign::Run : Sign::None};   // the tool is named once
+            if (!tool || (shownRow > 0 && edges_[static_cast<std::size_t>(at(shownRow - 1))].tool == line.tool)) return {QString(), t.dim, now ? Sign::Run : Sign::None};   // the tool is named once
             QString name = QString("T%1  %2").arg(line.tool).arg(toolName(*tool, line.tool));
             if (tool->duplo > 1) name += QString(" (%1)").arg(tool->duplo);
             if (tool->magazine) name = placeText(desk_.live, tool->magazine, tool->pot) + "  " + name;
@@ -173,7 +254,7 @@ void Offsets::build() {
             return {name, now ? t.good : t.dim, now ? Sign::Run : Sign::None, now};
         }
         if (byEdges() && column == 1) return {QString::number(edges_[static_cast<std::size_t>(row)].edge), now ? t.good : t.dim, Sign::None, now};
-        const auto value = valueAt(row, column);
+        const auto value = valueAt(shownRow, column);
         if (!value) return {};
         double applied = 0, sum = 0;
         const bool pending = now && appliedNow(*value, applied, sum) && std::abs(applied - sum) > 5e-7;
@@ -193,7 +274,7 @@ int Offsets::firstColumn() const {
 bool Offsets::active(int row) const {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const BlockPicture& p = view.picture;
-    if (!view.known || row < 0 || row >= table_->rows()) return false;
+    if (!view.known || row < 0 || row >= rowsInAll()) return false;
     if (zeros_) return p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(row)]);
     if (edged_) return p.tool == edges_[static_cast<std::size_t>(row)].tool && p.edge == edges_[static_cast<std::size_t>(row)].edge;
     return p.geometry == row + 1 || p.wear == row + 1;
@@ -202,20 +283,23 @@ bool Offsets::active(int row) const {
 // The chosen one stays chosen, wherever it stands by now; what has been typed for one that is gone is for no other.
 void Offsets::takeEdges() {
     edgesOf_ = desk_.live.toolsVersion();
-    const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
+    const auto row = static_cast<std::size_t>(std::max(0, wanted_));
     const EdgeLine chosen = row < edges_.size() ? edges_[row] : EdgeLine{};
     edges_ = toolsManaged(desk_.live) ? edgeLines(desk_.live, desk_.channel) : std::vector<EdgeLine>();
-    const auto at = std::find(edges_.begin(), edges_.end(), chosen);
-    if (at == edges_.end()) {
-        if (chosen.tool) pad_->clear(), table_->choose(std::clamp(table_->row(), 0, std::max(0, static_cast<int>(edges_.size()) - 1)), table_->column());
-    } else if (at - edges_.begin() != table_->row()) {
-        table_->choose(static_cast<int>(at - edges_.begin()), table_->column());
+    const auto found = std::find(edges_.begin(), edges_.end(), chosen);
+    if (found != edges_.end()) {
+        wanted_ = static_cast<int>(found - edges_.begin());
+    } else {
+        if (chosen.tool) pad_->clear();
+        wanted_ = std::clamp(wanted_, 0, std::max(0, static_cast<int>(edges_.size()) - 1));
     }
+    filter();
 }
 
-std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
+std::optional<Offsets::Value> Offsets::valueAt(int shownRow, int column) const {
     const Live& live = desk_.live;
-    if (!live.connected() || built_ != desk_.channel || column < 1 || column >= static_cast<int>(table_->columns.size()) || row < 0 || row >= table_->rows()) return std::nullopt;
+    const int row = at(shownRow);
+    if (!live.connected() || built_ != desk_.channel || column < 1 || column >= static_cast<int>(table_->columns.size()) || row < 0 || row >= rowsInAll()) return std::nullopt;
     const unsigned channel = desk_.channel;
     Value out;
     if (zeros_) {
@@ -376,6 +460,38 @@ void Offsets::newEdge() {
     });
 }
 
+// Numbers of edges have no gaps: only the last one goes. Not the one that the running block works with.
+bool Offsets::mayDelete() const {
+    const auto value = chosen();
+    if (!desk_.live.connected() || !value || !value->ofEdge() || !edgeOf(desk_.live, value->edge)) return false;
+    return std::none_of(edges_.begin(), edges_.end(), [&](const EdgeLine& one) { return one.tool == value->edge.tool && one.edge > value->edge.edge; }) && !active(at(table_->row()));
+}
+
+void Offsets::deleteEdge() {
+    const auto value = chosen();
+    const ToolEdge* edge = value && value->ofEdge() ? edgeOf(desk_.live, value->edge) : nullptr;
+    if (!edge || !mayDelete()) return;
+    Value whole = *value;
+    whole.title = edgeTitle(desk_.live, value->edge), whole.dp = 0, whole.present = 1;
+    whole.words = QString("edge L%1 T%2 D%3 DP0").arg(desk_.channel).arg(value->edge.tool).arg(value->edge.edge);
+    for (std::size_t dp = 1; dp < edge->dp.size(); ++dp)
+        if (edge->dp[dp] != 0) whole.gone.emplace_back(static_cast<int>(dp), edge->dp[dp]);
+    setEdge(whole, false);
+}
+
+// In one request, so that an edge is there whole or not at all. What no value is left of is no edge any more.
+void Offsets::setEdge(const Value& value, bool undone) {
+    QJsonObject fields;
+    for (const auto& [dp, held] : value.gone) fields.insert(QString("D%1.DP%2").arg(value.edge.edge).arg(dp), undone ? held : 0.0);
+    undo_.asked();
+    desk_.requests.store({{"do", "tools.set"}, {"tool", value.edge.tool}, {"fields", fields}}, [this, value, undone](const Answer& answer) {
+        if (!answer.ok) return undo_.refused();
+        undone ? undo_.takenBack({value, 0, 1}) : undo_.entered({value, 1, 0});
+        desk_.tell((undone ? word("%1 is there again") : word("%1 is deleted")).arg(value.title), Told::Good);
+        pad_->clear(), refresh();
+    });
+}
+
 // Who has changed it before, since the store was begun.
 void Offsets::askHistory() {
     const auto value = chosen();
@@ -397,6 +513,7 @@ void Offsets::askHistory() {
 
 // What stands there now, whichever table is shown.
 double Offsets::presentOf(const Value& value) const {
+    if (!value.gone.empty()) return edgeOf(desk_.live, value.edge) ? 1 : 0;
     if (value.ofEdge()) return edgeValue(desk_.live, value.edge, value.dp);
     const ChannelStore& store = desk_.live.store(value.channel);
     return value.zero ? store.zeros[value.row * kChannelAxes + static_cast<std::size_t>(value.place)] : cellValue(store.offsets[value.row], value.field);
@@ -419,7 +536,7 @@ void Offsets::measure() {
     const double length = (machine - shown(axis, zero) - *typed) / shown(axis, 1);   // of the tool, with wear
     if (value->ofEdge()) return pad_->clear(), put(*value, length - (sumOfLength(desk_.live, value->edge, lengthOf(value->dp)) - value->present));
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
-    const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
+    const double wear = store.offsets[value->row].wear[field];
     pad_->clear();
     put(*value, inTable(axis, length) - wear);
 }
@@ -434,7 +551,7 @@ void Offsets::zeroHere() {
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
     const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = shown(axis, view.toolShift[place]);   // also of one that a program before has left
     const ChannelStore& store = desk_.live.store(desk_.channel);
-    const std::size_t row = zeroRows_[static_cast<std::size_t>(table_->row())];
+    const std::size_t row = value->row;
     double others = 0;   // that act beside it
     for (const std::size_t other : {kZeroExternal, kZeroShift})
         if (other != row) others += store.zeros[other * kChannelAxes + place];
@@ -449,7 +566,9 @@ void Offsets::layOut() {
     head_->setGeometry(0, 0, width(), top);
     const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), side, px(400), edge);
     const Padded right = padded(*this, all.side, px(346), pad, edge);
-    table_->setGeometry(all.main), side_->setGeometry(right.rest), pad_->setGeometry(right.pad);
+    const int search = px(44);
+    find_->setGeometry(all.main.left(), all.main.top(), all.main.width(), search);
+    table_->setGeometry(all.main.adjusted(0, search, 0, 0)), side_->setGeometry(right.rest), pad_->setGeometry(right.pad);
     parts_->setGeometry(0, top, width(), height() - top);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -475,7 +594,7 @@ void Offsets::composeSide(Writer& w) {
             y += px(24);
         }
         const auto zeroActs = [&](std::size_t row) { return p.zero_row == static_cast<std::int32_t>(row) || row == kZeroExternal || row == kZeroShift; };   // these act with each of the others
-        const bool acts = zeros_ ? view.known && zeroActs(zeroRows_[static_cast<std::size_t>(table_->row())]) : active(table_->row());
+        const bool acts = zeros_ ? view.known && zeroActs(value->row) : active(at(table_->row()));
         if (acts && appliedNow(*value, applied, sum)) {
             const bool same = std::abs(applied - sum) <= 5e-7;
             line(zeros_ ? word("All zeros together") : word("Geometry + wear"), value->text(sum), t.text);
@@ -495,10 +614,23 @@ void Offsets::composeSide(Writer& w) {
     for (auto entry = history_.begin(); entry != history_.end() && y + px(20) < high; ++entry, y += px(20)) w.data(QRectF(px(12), y, wide - px(24), px(20)), *entry, lettering(13, false, Face::Condensed), t.text);
 }
 
+// Another screen leads here.
+void Offsets::goTo(std::int32_t tool, std::int32_t edge) {
+    showParts(false), showZeros(false);
+    if (built_ != desk_.channel || edged_ != usesEdges(desk_.live, desk_.channel)) build();
+    if (!search_.isEmpty()) find({});
+    const auto line = std::find(edges_.begin(), edges_.end(), EdgeLine{tool, edge});
+    const ToolRow* row = toolOf(desk_.live, tool);
+    const int wanted = edged_ ? (line == edges_.end() ? -1 : static_cast<int>(line - edges_.begin())) : row ? row->h_cell - 1 : -1;
+    if (wanted >= 0 && wanted < rowsInAll()) table_->choose(wanted, firstColumn());
+}
+
 void Offsets::refresh() {
     undo_.goOn();
+    if (const std::int32_t tool = std::exchange(desk_.toolOfOffsets, 0)) goTo(tool, desk_.edgeOfOffsets);
     if (built_ != desk_.channel || edged_ != usesEdges(desk_.live, desk_.channel)) build();
     else if (byEdges() && edgesOf_ != desk_.live.toolsVersion()) takeEdges();
+    else if (!search_.isEmpty() && foundFor_ != desk_.live.toolsVersion()) filter();
     if (partsShown_) return head_->refresh(), parts_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -521,7 +653,8 @@ std::vector<SoftKey> Offsets::keys() {
     keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks, {}, subject, object};
     if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again"), {}, subject, object});
     else keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
-    keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
+    if (empty && byEdges()) keys.push_back({word("Base lengths"), [this] { base_ = !base_, build(), table_->choose(table_->row(), firstColumn()), refresh(); }, Sign::None, desk_.live.connected(), base_});
+    else keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
     if (zeros_)
         keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again"), {}, subject, object});
     else if (empty)
@@ -529,7 +662,11 @@ std::vector<SoftKey> Offsets::keys() {
     else
         keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && !value->wear(), false, false, word("Tip is at this measure: press again"), {}, subject, object});
     keys.push_back({word("Undo"), [this] { undo_.undo(); }, Sign::Undo, last != nullptr, false, false, {}, {}, {}, last ? brief(last->where.words.split(' ')) : QString()});
-    if (byEdges()) keys.push_back({word("New edge"), [this] { newEdge(); }, Sign::None, desk_.live.connected() && value.has_value()});
+    if (byEdges()) {
+        keys.push_back({word("New edge"), [this] { newEdge(); }, Sign::None, desk_.live.connected() && value.has_value()});
+        const QString edge = value && value->ofEdge() ? edgeTitle(desk_.live, value->edge) : QString();
+        keys.push_back({word("Delete edge"), [this] { deleteEdge(); }, Sign::None, mayDelete(), false, false, word("Its values go: press again"), {}, edge, value ? QString("D%1").arg(value->edge.edge) : QString()});
+    }
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
         keys.push_back({word("Pattern menu"), [this] {
@@ -541,6 +678,8 @@ std::vector<SoftKey> Offsets::keys() {
 
 bool Offsets::key(QKeyEvent* event) {
     if (partsShown_) return parts_->key(event);
+    if (event->key() == Qt::Key_Escape && pad_->text().isEmpty() && !search_.isEmpty()) return find({}), true;
+    if (event->key() == Qt::Key_Backspace && pad_->text().isEmpty() && !search_.isEmpty()) return find(search_.chopped(1)), true;
     if (pad_->key(event)) return true;
     return table_->key(event);
 }

@@ -34,6 +34,8 @@ public:
     void showZeros(bool zeros);
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }
+    void find(const QString& text);   // only rows with it: a number, a tool, a name of a tool or a zero
+    static constexpr int kFindHit = 5000;
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -50,6 +52,7 @@ private:
         int place = -1;           // of its axis in the channel; -1 none
         EdgeLine edge;            // of a tool; tool 0: no edge
         int dp = 0;               // and which value of it
+        std::vector<std::pair<int, double>> gone = {};   // a whole edge that was deleted: what it had
         bool ofEdge() const { return edge.tool != 0; }
         bool wear() const { return ofEdge() ? is_edge_wear(dp) : words.contains(" wear "); }
         QString text(double held) const;
@@ -79,17 +82,31 @@ private:
     void enter(bool added);
     bool appliedNow(const Value& value, double& applied, double& tableSum) const;
 
-    FreeSheet *head_, *side_;
+    FreeSheet *head_, *find_, *side_;
     Table* table_;
     NumberPad* pad_;
     PartsPage* parts_;
     void askStore(const Value& value, QJsonObject request, const std::function<void(const Answer&)>& done);
     void takeEdges();              // the rows of edges, as tools come and go
+    void goTo(std::int32_t tool, std::int32_t edge);
     void newEdge();
+    bool mayDelete() const;        // the chosen edge: the last one of its tool, and not the one in work
+    void deleteEdge();
+    void setEdge(const Value& value, bool undone);   // all values of an edge at once: none, or those that it had
+    // Which rows of the table are shown, and where the chosen one is among them.
+    void filter();
+    int rowsInAll() const;
+    bool found(int row) const;
+    int at(int shown) const { return shown >= 0 && shown < static_cast<int>(rows_.size()) ? rows_[static_cast<std::size_t>(shown)] : -1; }
+    void chooseRow(int row);
     bool byEdges() const { return edged_ && !zeros_; }
     int firstColumn() const;
     bool active(int row) const;    // the running block works with it
-    bool zeros_ = false, partsShown_ = false, edged_ = false;
+    bool zeros_ = false, partsShown_ = false, edged_ = false, base_ = false;   // base_: of edges the base lengths, in the place of their wear
+    QString search_;
+    std::vector<int> rows_;                    // that are shown
+    int wanted_ = 0;                           // the row that is chosen, whether it is shown or not
+    std::uint64_t foundFor_ = 0;               // Live::toolsVersion() that names were looked at
     unsigned built_ = 0;
     std::uint64_t edgesOf_ = 0;                // Live::toolsVersion() that they were taken from
     std::vector<EdgeLine> edges_;

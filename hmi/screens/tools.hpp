@@ -2,6 +2,7 @@
 // has measured. A tool is loaded, moved and unloaded by dragging it or by keys; it stands there when the store says so.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/edge_words.hpp"
 #include "hmi/screens/presetter_page.hpp"
 #include "hmi/widgets/magazine.hpp"
 #include "hmi/widgets/number_pad.hpp"
@@ -74,6 +75,11 @@ private:
     bool followPlace();
     void fillList();
     void fillData();
+    void takeEdgeRows();
+    Table::Cell edgeCell(std::size_t row, int column) const;
+    static int shownFields();                      // rows before those of edges
+    bool rowOfOffsets() const;                     // the chosen one is of an edge, or names the offset
+    void toOffsets();
     void fillLife();
     void fillPallets();
     void askProgram();
@@ -119,6 +125,7 @@ private:
         bool first = false;                        // it stops the machine first
     };
     std::vector<LifeLine> life_;
+    std::vector<std::pair<EdgeLine, int>> edgeRows_;   // of the chosen tool: edge and $TC_DPx
     QString firstToStop_;
     struct Pallet {
         int row = 0;

@@ -136,6 +136,16 @@ void Tools::look() {
     }, true);
 }
 
+// The chosen tool where its edges or its offset are entered.
+void Tools::toOffsets() {
+    const ToolRow* tool = chosen();
+    if (!tool) return;
+    if (const unsigned turret = channelOf(*tool)) desk_.choose(turret);
+    const auto edge = static_cast<std::size_t>(std::max(0, table_->row() - shownFields()));
+    desk_.toolOfOffsets = tool_, desk_.edgeOfOffsets = edge < edgeRows_.size() ? edgeRows_[edge].first.edge : 1;
+    desk_.show(kOffsetsScreen);
+}
+
 std::vector<SoftKey> Tools::keys() {
     const bool there = desk_.live.connected();
     const ToolRow* tool = there ? chosen() : nullptr;
@@ -163,6 +173,8 @@ std::vector<SoftKey> Tools::keys() {
             const bool shut = place && (place->state & kPlaceLocked);
             const std::int32_t magazine = place ? place->magazine : 0, pot = place ? place->pot : 0;
             keys.push_back({shut ? word("Release place") : word("Lock place"), [this, magazine, pot, shut] { desk_.requests.store({{"do", "tools.place"}, {"magazine", magazine}, {"pot", pot}, {"locked", shut ? 0 : 1}}); }, Sign::Lock, place != nullptr, shut});
+            // Of a row that is entered where offsets are.
+            if (rowOfOffsets()) keys.back() = {word("To the offsets"), [this] { toOffsets(); }, Sign::Offsets, there};
             break;
         }
         case Page::Life:

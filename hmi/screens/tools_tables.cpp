@@ -1,4 +1,5 @@
 // The tables of the screen of tools: one tool's data, lives with their forecast, pallets.
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/screens/tools.hpp"
@@ -52,6 +53,13 @@ const char* kindWord(unsigned kind) {
 
 }  // namespace
 
+int Tools::shownFields() { return static_cast<int>(std::size(kShown)); }
+
+bool Tools::rowOfOffsets() const {
+    const int row = table_->row();
+    return page_ == Page::Data && chosen() && (row >= shownFields() ? row < table_->rows() : std::string_view(kShown[row].field) == "h" && chosen()->h_cell > 0);
+}
+
 bool Tools::textField() const {
     return page_ == Page::Data && table_->row() < static_cast<int>(std::size(kShown)) && tool_field(kShown[table_->row()].field).is_text();
 }
@@ -61,15 +69,19 @@ void Tools::fillData() {
     table_->columns = {{word("What"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 0.6}};
     table_->rowUnits = 34;
     table_->nothing = word("No tool is chosen.");
-    table_->rows = [this] { return chosen() ? static_cast<int>(std::size(kShown)) : 0; };
+    table_->rows = [this] {
+        takeEdgeRows();
+        return chosen() ? static_cast<int>(std::size(kShown) + edgeRows_.size()) : 0;
+    };
     table_->cell = [this](int row, int column) -> Table::Cell {
         const Theme& t = theme();
         const ToolRow* tool = chosen();
         if (!tool) return {};
+        if (row >= static_cast<int>(std::size(kShown))) return edgeCell(static_cast<std::size_t>(row) - std::size(kShown), column);
         const Shown& one = kShown[row];
         const ToolField& field = tool_field(one.field);
         if (column == 0) return {word(one.title), t.text};
-        const bool length = std::string_view(one.unit) == "mm" && field.type == ToolFieldType::Number;
+        const bool length = std::string_view(one.unit) == "mm" && (field.type == ToolFieldType::Number || field.type == ToolFieldType::Outline);
         const LengthUnit unit = length ? desk_.live.commonUnit() : LengthUnit{};
         if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : length ? unit.name() : unitWord(one.unit), t.dim};
         const bool here = row == table_->row() && textField() && !typed_.isEmpty();
@@ -79,7 +91,10 @@ void Tools::fillData() {
             return {on ? word("yes") : word("no"), on ? t.text : t.dim, on ? Sign::Good : Sign::None, on};
         }
         if (field.type == ToolFieldType::Life) return {word(kindWord(tool->life_kind)), t.text, Sign::None, true};
-        if (field.is_text()) return {QString::fromStdString(tool_text(*tool, field)), t.text, Sign::None, true};
+        if (field.is_text()) {
+            const QString text = QString::fromStdString(tool_text(*tool, field));
+            return {unit.inch() ? scaledNumbers(text, 1 / unit.size()) : text, t.text, Sign::None, true};
+        }
         const double value = tool_number(*tool, field);
         return {numberText(unit.of(value), unit.inch() ? 4 : 3), value == field.fallback ? t.dim : t.text, Sign::None, value != field.fallback};
     };
@@ -100,15 +115,45 @@ void Tools::fillData() {
     };
 }
 
+// The edges of the tool, read only: they are entered where offsets are. What an edge has no value of is left out, but for its lengths.
+void Tools::takeEdgeRows() {
+    edgeRows_.clear();
+    if (!chosen()) return;
+    const ToolEdgeTable& table = desk_.live.edges();
+    const auto* const end = table.edges.data() + std::min<std::size_t>(table.count, kToolEdges);
+    const auto* at = std::lower_bound(table.edges.data(), end, tool_, [](const ToolEdge& edge, std::int32_t tool) { return edge.tool < tool; });
+    for (; at != end && at->tool == tool_; ++at)
+        for (int dp = 1; dp < static_cast<int>(at->dp.size()); ++dp)
+            if (at->dp[static_cast<std::size_t>(dp)] != 0 || dp == kDpLength || dp == kDpLength + 1) edgeRows_.push_back({{tool_, at->number}, dp});
+}
+
+Table::Cell Tools::edgeCell(std::size_t row, int column) const {
+    const Theme& t = theme();
+    if (row >= edgeRows_.size()) return {};
+    const auto& [line, dp] = edgeRows_[row];
+    const bool length = isLength(dp) || dp == kDpRadius || dp == kDpWearRadius || dp == kDpBaseRadius;
+    const LengthUnit unit = length ? desk_.live.commonUnit() : LengthUnit{};
+    const double value = edgeValue(desk_.live, line, dp);
+    if (column == 0) return {QString("D%1  %2").arg(line.edge).arg(edgeParameterTitle(dp)), t.dim};
+    if (column == 2) return {length ? unit.name() : QString(), t.dim};
+    if (dp == kDpType) return {kindText(static_cast<std::int32_t>(value)) + QString("  %1").arg(value, 0, 'f', 0), t.dim};
+    return {length ? unit.text(value, 3) : numberText(value, 4), value == 0 ? t.faint : t.dim};
+}
+
 // Enter: a switch turns over, what its life counts goes on to the next, a text is taken.
 void Tools::fieldActivated() {
     const ToolRow* tool = chosen();
-    if (!tool || table_->row() >= static_cast<int>(std::size(kShown))) return;
+    if (tool && table_->row() >= shownFields()) return toOffsets();
+    if (!tool) return;
     const Shown& one = kShown[table_->row()];
     const ToolField& field = tool_field(one.field);
     if (field.type == ToolFieldType::Flag) setField(one.field, tool_number(*tool, field) != 0 ? "0" : "1");
     else if (field.type == ToolFieldType::Life) setField(one.field, fromView(kLifeKinds[(tool->life_kind + 1) % std::size(kLifeKinds)]));
-    else if (field.is_text() && !typed_.isEmpty()) setField(one.field, std::exchange(typed_, QString()));
+    else if (field.is_text() && !typed_.isEmpty()) {
+        const QString text = std::exchange(typed_, QString());
+        const LengthUnit unit = desk_.live.commonUnit();
+        setField(one.field, field.type == ToolFieldType::Outline && unit.inch() ? scaledNumbers(text, unit.size()) : text);
+    }
 }
 
 void Tools::fillLife() {

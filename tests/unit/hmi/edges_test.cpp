@@ -4,6 +4,7 @@
 #include "hmi/machine/edge_words.hpp"
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/offsets.hpp"
+#include "hmi/screens/tools.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -151,6 +152,155 @@ TEST_F(EdgeTasks, AreMeasuredAndShownBesideWhatIsApplied) {
     hand.soft("Undo");
     EXPECT_TRUE(waitFor([&] { return std::abs(dp(1, kDpLength) - 120) < 1e-9; }));
     g_controller->press("reset");
+}
+
+// A long table is looked through by number, tool or name; what has been found is entered as ever.
+TEST_F(EdgeTasks, AreFoundByToolEdgeAndName) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    frames(*window);
+    Table& table = offsets.table();
+    ASSERT_EQ(table.rows(), 3);
+    Sheet* field = nullptr;
+    for (Sheet* one : offsets.sheets())
+        if (!one->fields().empty()) field = one;
+    ASSERT_NE(field, nullptr);
+    hand.touch(field, Offsets::kFindHit);
+    ASSERT_TRUE(window->entry().isVisible()) << "letters for a finger";
+    hand.type("drill");
+    hand.key(Qt::Key_Return);
+    frames(*window);
+    ASSERT_EQ(table.rows(), 1);
+    EXPECT_TRUE(table.cell(0, 0).text.contains("DRILL_12"));
+    const int l1 = columnOf(offsets, "L1");
+    hand.touchCell(table, 0, l1);
+    hand.type("77"), hand.soft("Input");
+    ASSERT_TRUE(waitFor([&] { return dp(1, kDpLength, 42) == 77; })) << "the row that is shown";
+    EXPECT_EQ(dp(1, kDpLength), 120);
+    hand.soft("Undo");
+    ASSERT_TRUE(waitFor([&] { return dp(1, kDpLength, 42) == 0; }));
+    const QString kept = offsets.state();
+    hand.key(Qt::Key_Escape);
+    EXPECT_EQ(table.rows(), 3);
+    offsets.restore(kept);
+    EXPECT_EQ(table.rows(), 1) << "kept over a restart";
+    for (const auto& [typed, rows] : {std::pair{"41", 2}, {"T42", 1}, {"D2", 1}, {"4", 0}, {"rough", 2}, {"", 3}}) {
+        offsets.find(typed);
+        EXPECT_EQ(table.rows(), rows) << typed;
+    }
+    offsets.find("D2");
+    EXPECT_TRUE(table.cell(0, 0).text.contains("ROUGH_80")) << "named though its first edge is not shown";
+    hand.soft("Work zeros");
+    EXPECT_GT(table.rows(), 20) << "another table, another search";
+    for (const auto& [typed, rows] : {std::pair{"55", 1}, {"p12", 1}, {"g5", 0}}) {
+        offsets.find(typed);
+        if (rows) { EXPECT_EQ(table.rows(), rows) << typed; }
+        else { EXPECT_GT(table.rows(), 4) << typed; }
+    }
+    hand.soft("Tool edges");
+    hand.key(Qt::Key_2, Qt::ControlModifier);
+    frames(*window);
+    offsets.find("3");
+    EXPECT_EQ(table.rows(), 1);
+    EXPECT_EQ(table.cell(0, 0).text, "3");
+    offsets.find("");
+    hand.key(Qt::Key_1, Qt::ControlModifier);
+}
+
+// The last edge of a tool goes by two presses, whole, and comes back whole; base lengths have columns of their own.
+TEST_F(EdgeTasks, GoAndComeBackWholeAndHaveBaseLengths) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    frames(*window);
+    const auto deletes = [&] {
+        for (const SoftKey& one : offsets.keys())
+            if (one.text == "Delete edge") return one.enabled;
+        return false;
+    };
+    hand.touchCell(offsets.table(), 0, columnOf(offsets, "L1"));
+    frames(*window);
+    EXPECT_FALSE(deletes()) << "D2 would stand without a D1";
+    hand.touchCell(offsets.table(), 1, columnOf(offsets, "L1"));
+    hand.soft("Base lengths");
+    ASSERT_GE(columnOf(offsets, "Base L1"), 0);
+    EXPECT_EQ(columnOf(offsets, "Wear L1"), -1);
+    hand.touchCell(offsets.table(), 1, columnOf(offsets, "Base L1"));
+    hand.type("7.5"), hand.soft("Input");
+    ASSERT_TRUE(waitFor([&] { return dp(2, kDpBase) == 7.5; }));
+    noWordIsShortened(*window);
+    hand.screen("offsets");
+    hand.touchCell(offsets.table(), 1, columnOf(offsets, "Base L1"));
+    const double length = dp(2, kDpLength);
+    hand.soft("Delete edge");
+    frames(*window, 200);
+    EXPECT_EQ(dp(2, kDpType), 500) << "one press deletes nothing";
+    hand.soft("Delete edge");
+    ASSERT_TRUE(waitFor([&] { return edgeOf(live(), {41, 2}) == nullptr; }));
+    frames(*window);
+    EXPECT_EQ(offsets.table().rows(), 2);
+    hand.soft("Undo");
+    ASSERT_TRUE(waitFor([&] { return dp(2, kDpBase) == 7.5 && dp(2, kDpType) == 500 && dp(2, kDpLength) == length; }));
+    // Somebody has made it anew meanwhile: that stays.
+    hand.touchCell(offsets.table(), 1, columnOf(offsets, "Base L1"));
+    hand.soft("Delete edge"), hand.soft("Delete edge");
+    ASSERT_TRUE(waitFor([&] { return edgeOf(live(), {41, 2}) == nullptr; }));
+    tools({"set", "41", "D2.DP1=500", "D2.DP3=121"});
+    ASSERT_TRUE(waitFor([&] { return dp(2, kDpLength) == 121; }));
+    hand.soft("Undo");
+    frames(*window, 300);
+    EXPECT_EQ(dp(2, kDpBase), 0);
+    EXPECT_EQ(dp(2, kDpLength), 121);
+    hand.soft("Base lengths");
+    EXPECT_GE(columnOf(offsets, "Wear L1"), 0);
+}
+
+// The page of a tool shows them, and leads to where they are entered.
+TEST_F(EdgeTasks, StandOnThePageOfTheirTool) {
+    Tools& page = screenOf<Tools>();
+    Operator hand(*window);
+    hand.screen("tools");
+    hand.soft("Tool data");
+    frames(*window);
+    page.list().choose(page.rowOf(41));
+    frames(*window);
+    int found = -1;
+    for (int row = 0; row < page.table().rows(); ++row)
+        if (page.table().cell(row, 0).text == "D2  L1") found = row;
+    ASSERT_GE(found, 0);
+    EXPECT_EQ(page.table().cell(found, 1).text, "121.000");
+    page.table().choose(found);
+    hand.type("5");
+    hand.key(Qt::Key_Return);
+    frames(*window, 200);
+    EXPECT_EQ(dp(2, kDpLength), 121) << "read only";
+    if (window->screen()->name() == QString("tools")) hand.soft("To the offsets");
+    EXPECT_EQ(window->screen()->name(), QString("offsets"));
+    Offsets& offsets = screenOf<Offsets>();
+    EXPECT_EQ(offsets.table().cell(offsets.table().row(), 1).text, "2");
+}
+
+// On the command line an edge stands in the place of a number.
+TEST_F(EdgeTasks, AreEnteredAndTakenBackOnTheCommandLine) {
+    const auto offsets = [&](QStringList words) { return g_controller->run(QStringList{"offsets"} << words << "--instance" << g_controller->name); };
+    const double wear = dp(1, kDpWear), radius = dp(1, kDpRadius);
+    ASSERT_TRUE(offsets({"set", "L1", "T41.D1", "wear", "X=0.02"}));
+    ASSERT_TRUE(waitFor([&] { return std::abs(dp(1, kDpWear) - 0.02) < 1e-9; })) << "L1 of a turning tool lies along X";
+    ASSERT_TRUE(offsets({"set", "L1", "T41", "DP12=0.01", "DP6=0.4", "--incremental"}));
+    ASSERT_TRUE(waitFor([&] { return std::abs(dp(1, kDpWear) - 0.03) < 1e-9 && std::abs(dp(1, kDpRadius) - radius - 0.4) < 1e-9; }));
+    ASSERT_TRUE(offsets({"set", "L1", "T41.D1", "wear", "X=0.05", "--plane", "19"}));
+    ASSERT_TRUE(waitFor([&] { return std::abs(dp(1, kDpWear + 2) - 0.05) < 1e-9; })) << "in G19 L3 does";
+    ASSERT_TRUE(offsets({"undo", "L1", "T41.D1"}));
+    ASSERT_TRUE(waitFor([&] { return dp(1, kDpWear + 2) == 0; }));
+    ASSERT_TRUE(offsets({"undo", "L1", "T41.D1"}));
+    ASSERT_TRUE(waitFor([&] { return std::abs(dp(1, kDpRadius) - radius) < 1e-9; }));
+    ASSERT_TRUE(offsets({"undo", "L1", "T41"}));
+    ASSERT_TRUE(waitFor([&] { return std::abs(dp(1, kDpWear) - 0.02) < 1e-9; }));
+    tools({"set", "41", "D1.DP12=" + QString::number(wear)});
+    EXPECT_FALSE(offsets({"set", "L1", "T41.D13", "DP12=0.01"}));
+    EXPECT_FALSE(offsets({"set", "L1", "3", "X=1"})) << "a number needs its table";
+    EXPECT_FALSE(offsets({"undo", "L1", "41"}));
 }
 
 TEST_F(EdgeTasks, AreComparedWithThoseOfTheSetupFile) {
