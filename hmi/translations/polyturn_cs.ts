@@ -49,6 +49,11 @@
         <translation>%1 má novou destičku: životnost a opotřebení začínají znovu</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 has values again: they stay</source>
+        <translation>%1 má zase hodnoty: zůstanou</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>celkem %1</translation>
@@ -72,6 +77,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being written: the place answers slowly</source>
         <translation>%1 se zapisuje: místo odpovídá pomalu</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is deleted</source>
+        <translation>%1 je smazán</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -129,6 +139,11 @@
         <translation>%1 je vyjmut</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is there again</source>
+        <translation>%1 je zase zde</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 is there already</source>
         <translation>%1 už existuje</translation>
@@ -172,6 +187,11 @@
         <location filename="../screens/settings_page.cpp"/>
         <source>%1 was refused: %2</source>
         <translation>%1: odmítnuto: %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>%1: another value stands there by now, it stays</source>
+        <translation>%1: mezitím je tam jiná hodnota, zůstane</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -562,6 +582,11 @@
         <location filename="../machine/edge_words.cpp"/>
         <source>Base R</source>
         <translation>Báze R</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Base lengths</source>
+        <translation>Základní délky</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -974,6 +999,11 @@
         <translation>Smazat</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Delete edge</source>
+        <translation>Smazat břit</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Smazat prvek</translation>
@@ -1312,6 +1342,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter přihlásí. Nový uživatel dostane toto jméno, toto heslo a úroveň %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Enter the job's zeros</source>
+        <translation>Zadat nuly zakázky</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1902,6 +1937,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Údaje si odporují, nebo jim nic nevyhovuje.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Its values go: press again</source>
+        <translation>Hodnoty zmizí: ještě jednou</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2639,6 +2679,11 @@
         <translation>Nic se nezměnilo.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Nothing is like this. Escape shows all.</source>
+        <translation>Nic takového zde není. Escape ukáže vše.</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Ke startu nic nechybí</translation>
@@ -3334,6 +3379,11 @@
         <translation>Nahradí zdejší: stiskněte znovu</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Replaces what is entered: press again</source>
+        <translation>Přepíše zadané: ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Required tools</source>
         <translation>Potřebné nástroje</translation>
@@ -3544,9 +3594,24 @@
         <translation>Hledat</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: a zero</source>
+        <translation>Hledat: nulový bod</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number or tool</source>
+        <translation>Hledat: číslo nebo nástroj</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Hledat: číslo, název nebo význam</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number, tool, edge</source>
+        <translation>Hledat: číslo, nástroj, břit</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4194,6 +4259,16 @@
         <translation>Revolver se otočí: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros of %1 are entered</source>
+        <translation>Nulové body zakázky %1 jsou zadány</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros stand as before</source>
+        <translation>Nulové body jsou zase původní</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Potom</translation>
@@ -4434,6 +4509,11 @@
         <translation>Zbývá</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>To the offsets</source>
+        <translation>Na korekce</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>To the start: 0 not, 1 feed, 2 rapid</source>
         <translation>K počátku: 0 ne, 1 posuv, 2 rychle</translation>
@@ -4642,6 +4722,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Vrátit změnu</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Undo the zeros</source>
+        <translation>Vrátit nuly</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>

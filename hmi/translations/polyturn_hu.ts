@@ -49,6 +49,11 @@
         <translation>%1: új lapka, az éltartam és a kopás újrakezdődik</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 has values again: they stay</source>
+        <translation>%1: ismét vannak értékei, maradnak</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>összesen %1</translation>
@@ -72,6 +77,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being written: the place answers slowly</source>
         <translation>%1 írása folyik: a hely lassan válaszol</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is deleted</source>
+        <translation>%1 törölve</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -129,6 +139,11 @@
         <translation>%1 ki van véve</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is there again</source>
+        <translation>%1 ismét megvan</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 is there already</source>
         <translation>%1 már van</translation>
@@ -172,6 +187,11 @@
         <location filename="../screens/settings_page.cpp"/>
         <source>%1 was refused: %2</source>
         <translation>%1: elutasítva: %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>%1: another value stands there by now, it stays</source>
+        <translation>%1: közben más érték áll ott, marad</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -562,6 +582,11 @@
         <location filename="../machine/edge_words.cpp"/>
         <source>Base R</source>
         <translation>Bázis R</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Base lengths</source>
+        <translation>Bázishosszak</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -974,6 +999,11 @@
         <translation>Törlés</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Delete edge</source>
+        <translation>Él törlése</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Elem törlése</translation>
@@ -1312,6 +1342,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Az Enter bejelentkeztet. Az új felhasználó ezt a nevet, jelszót és szintet kapja: %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Enter the job's zeros</source>
+        <translation>A munka nullpontjai</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1902,6 +1937,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Az adatok ellentmondanak, vagy semmi sem illik rájuk.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Its values go: press again</source>
+        <translation>Értékei elvesznek: még egyszer</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2639,6 +2679,11 @@
         <translation>Semmi sem változott.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Nothing is like this. Escape shows all.</source>
+        <translation>Ilyen nincs. Escape mindent mutat.</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Az indításhoz semmi sem hiányzik</translation>
@@ -3334,6 +3379,11 @@
         <translation>Az ittenit felülírja: nyomja újra</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Replaces what is entered: press again</source>
+        <translation>A beírtakat felülírja: még egyszer</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Required tools</source>
         <translation>Szükséges szerszámok</translation>
@@ -3544,9 +3594,24 @@
         <translation>Keresés</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: a zero</source>
+        <translation>Keresés: nullpont</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number or tool</source>
+        <translation>Keresés: szám vagy szerszám</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Keresés: szám, név vagy jelentés</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number, tool, edge</source>
+        <translation>Keresés: szám, szerszám, él</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4194,6 +4259,16 @@
         <translation>A revolver fordul: újra</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros of %1 are entered</source>
+        <translation>A(z) %1 nullpontjai beírva</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros stand as before</source>
+        <translation>A nullpontok a korábbiak</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Utána</translation>
@@ -4434,6 +4509,11 @@
         <translation>Hátralévő</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>To the offsets</source>
+        <translation>A korrekciókhoz</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>To the start: 0 not, 1 feed, 2 rapid</source>
         <translation>A kezdethez: 0 nem, 1 előtolás, 2 gyors</translation>
@@ -4642,6 +4722,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Visszavonás</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Undo the zeros</source>
+        <translation>Nullpontok vissza</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>

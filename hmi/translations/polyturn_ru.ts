@@ -49,6 +49,11 @@
         <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 has values again: they stay</source>
+        <translation>У %1 снова есть значения: они остаются</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>всего %1</translation>
@@ -72,6 +77,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being written: the place answers slowly</source>
         <translation>%1 записывается: место отвечает медленно</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is deleted</source>
+        <translation>%1: удалено</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -129,6 +139,11 @@
         <translation>%1 извлечён</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>%1 is there again</source>
+        <translation>%1: восстановлено</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 is there already</source>
         <translation>%1 уже есть</translation>
@@ -172,6 +187,11 @@
         <location filename="../screens/settings_page.cpp"/>
         <source>%1 was refused: %2</source>
         <translation>%1: отказ: %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>%1: another value stands there by now, it stays</source>
+        <translation>%1: там уже другое значение, оно остаётся</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -562,6 +582,11 @@
         <location filename="../machine/edge_words.cpp"/>
         <source>Base R</source>
         <translation>База R</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Base lengths</source>
+        <translation>Базовые длины</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -974,6 +999,11 @@
         <translation>Удалить</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Delete edge</source>
+        <translation>Удалить кромку</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Удалить элемент</translation>
@@ -1312,6 +1342,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Enter the job's zeros</source>
+        <translation>Ввести нули задания</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1902,6 +1937,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Данные противоречат друг другу или им ничто не подходит.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Its values go: press again</source>
+        <translation>Значения пропадут: ещё раз</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2639,6 +2679,11 @@
         <translation>Ничего не изменено.</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Nothing is like this. Escape shows all.</source>
+        <translation>Такого здесь нет. Escape показывает всё.</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Для пуска всё готово</translation>
@@ -3334,6 +3379,11 @@
         <translation>Заменит здешний: нажмите ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Replaces what is entered: press again</source>
+        <translation>Заменит введённое: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Required tools</source>
         <translation>Нужные инструменты</translation>
@@ -3544,9 +3594,24 @@
         <translation>Поиск</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: a zero</source>
+        <translation>Поиск: нуль детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number or tool</source>
+        <translation>Поиск: номер или инструмент</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Поиск: номер, имя или смысл</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Search: number, tool, edge</source>
+        <translation>Поиск: номер, инструмент, кромка</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4194,6 +4259,16 @@
         <translation>Револьвер повернётся: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros of %1 are entered</source>
+        <translation>Нули задания %1 введены</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The zeros stand as before</source>
+        <translation>Нули снова прежние</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Станет</translation>
@@ -4434,6 +4509,11 @@
         <translation>Остаток</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>To the offsets</source>
+        <translation>К коррекциям</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>To the start: 0 not, 1 feed, 2 rapid</source>
         <translation>К началу: 0 нет, 1 подача, 2 ускор.</translation>
@@ -4642,6 +4722,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Отменить</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Undo the zeros</source>
+        <translation>Вернуть нули</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
