@@ -331,9 +331,13 @@ void Manual::composeSide(Writer& w) {
     const double hold = top + px(136);
     w.fill(QRectF(0, hold, wide, high - hold), t.card, px(8));
     const Plight now = plight(live, desk_.alarms, desk_.channel);
-    const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : now.kind == Plight::Kind::None ? t.dim : now.kind == Plight::Kind::Told ? t.accent : t.warn;
-    w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::None ? Sign::Good : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
-    Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), now.kind == Plight::Kind::None ? word("Nothing is missing for a start") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
+    // Nothing stands in the way of a program that runs, and it needs no start.
+    const auto state = static_cast<ChannelState>(live.channel(desk_.channel).state);
+    const bool runs = now.kind == Plight::Kind::None && (state == ChannelState::Running || state == ChannelState::Waiting);
+    const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : runs ? t.good : now.kind == Plight::Kind::None ? t.dim : now.kind == Plight::Kind::Told ? t.accent : t.warn;
+    const Sign sign = now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : runs ? Sign::Run : now.kind == Plight::Kind::None ? Sign::Good : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning;
+    w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), sign, colour);
+    Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), runs ? word("The program runs") : now.kind == Plight::Kind::None ? word("Nothing is missing for a start") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     words.wraps = true, words.data = true;
 }
 

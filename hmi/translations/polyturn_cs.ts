@@ -179,6 +179,11 @@
         <translation>příliš dlouhých: %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 wait</source>
+        <translation>čekají: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 na nikoho nečeká, nikdo na něj: stiskněte znovu</translation>
@@ -4217,6 +4222,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>Program polyturn není vedle HMI.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The program runs</source>
+        <translation>Program běží</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>

@@ -179,6 +179,11 @@
         <translation>túl hosszú: %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 wait</source>
+        <translation>várnak: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 senkire sem vár, rá sem vár senki: nyomja meg újra</translation>
@@ -4217,6 +4222,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>A polyturn program nincs a HMI mellett.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The program runs</source>
+        <translation>A program fut</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>

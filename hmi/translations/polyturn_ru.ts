@@ -179,6 +179,11 @@
         <translation>слишком долгих: %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 wait</source>
+        <translation>ждут: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 никого не ждёт, и его никто: нажмите ещё раз</translation>
@@ -4217,6 +4222,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>Программы polyturn нет рядом с HMI.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>The program runs</source>
+        <translation>Программа выполняется</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
