@@ -400,7 +400,7 @@ private:
         w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
         below(h);
         if (dense_ && !spare_) return;
-        const double lines = px(dense_ ? 33 : 37);
+        const double lines = px(!dense_ ? 37 : wide_ > px(600) ? 18 : 33);
         Item& item = w_.text(QRectF(left_, y_, wide_, lines), activeCodes(), lettering(13.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true, item.data = true;
         below(lines);

@@ -51,7 +51,7 @@ void Overview::layOut() {
     if (const auto here = std::find(all.begin(), all.end(), desk_.channel); enlarged_ && canEnlarge() && here != all.end() && all.size() == cards_.size()) {
         FreeSheet* const big = cards_[static_cast<std::size_t>(here - all.begin())];
         grid.erase(std::find(grid.begin(), grid.end(), big));
-        if (upright(*this)) above = height() * 46 / 100, big->setGeometry(0, 0, width(), above);
+        if (upright(*this)) above = height() * 44 / 100, big->setGeometry(0, 0, width(), above);
         else from = width() * 46 / 100, big->setGeometry(0, 0, from, height());
         big->refresh();
     }
