@@ -16,7 +16,9 @@ inline constexpr std::size_t kMaxCurveAxes = 5;     // axes that a blend can ben
 inline constexpr std::size_t kCommandText = 256;    // bytes of a program's path or a block by hand, the end included
 inline constexpr std::size_t kKinematics = 16;       // transformations that a channel's records can name
 inline constexpr std::size_t kPathRing = 4096;      // records a channel can be ahead of the machine
-inline constexpr std::size_t kPictures = 2048;      // changes of what holds in a channel that screens can look up
+// Changes of what holds in a channel that screens can look up: each record that waits in the ring may have one of its own (G0 and G1 in turn), and
+// there are blocks without a record.
+inline constexpr std::size_t kPictures = 2 * kPathRing;
 inline constexpr std::size_t kNoteRing = 1u << 20;  // bytes of event notes a channel can be ahead of its reader
 inline constexpr std::size_t kOffsets = 1000;       // offset numbers 0..999 of a channel; 0 is always zero
 inline constexpr std::size_t kWorkZeros = 320;      // zero offsets of a channel, see work_zero_index()

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -77,8 +78,6 @@ constexpr DataName kNames[] = {
 constexpr std::string_view kConfiguration[] = {"$MN_AXCONF_MACHAX_NAME_TAB", "$MC_AXCONF_GEOAX_NAME_TAB", "$MC_AXCONF_CHANAX_NAME_TAB", "$MC_AXCONF_GEOAX_ASSIGN_TAB",
                                                "$MC_AXCONF_MACHAX_USED", "$MN_MM_MAX_CUTTING_EDGE_PERTOOL"};
 
-constexpr double kMostEdgesOfATool = 12;   // sinumerik_part1 6.6
-
 }  // namespace
 
 const params::Row* Interpreter::data_row(const std::string& name) {
@@ -100,7 +99,7 @@ bool Interpreter::configuration_value(const std::string& name, const std::vector
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     known = std::find(std::begin(kConfiguration), std::end(kConfiguration), name) != std::end(kConfiguration);
     if (!known) return true;
-    if (name == "$MN_MM_MAX_CUTTING_EDGE_PERTOOL") return value = Value::of_int(kMostEdgesOfATool), true;
+    if (name == "$MN_MM_MAX_CUTTING_EDGE_PERTOOL") return value = Value::of_int(kMostEdgesOfTool), true;
     const MachineView& view = core_.view();
     const bool geometry = name.find("GEOAX") != std::string::npos, of_machine = name.starts_with("$MN");
     const std::size_t most = geometry ? 3 : of_machine ? kMaxAxes : kChannelAxes;

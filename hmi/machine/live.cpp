@@ -12,6 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto kLookEvery = std::chrono::milliseconds(500);   // for processes that have come or gone
+constexpr auto kPictureHolds = std::chrono::milliseconds(500);
 
 std::string processName(std::size_t slot) {
     static constexpr const char* kNames[] = {"kernel", "plc", "toolmgmt", "hmi", "cell"};
@@ -202,7 +203,13 @@ void Live::readChannel(unsigned number) {
     const bool running = status.record < head;
     const PathRecord first = segment->path.slot(running ? status.record : head - 1);
     view.rapid = (first.flags & kRapid) != 0;
-    view.known = find_picture(*segment, first.serial, view.picture);
+    // It can be written over while it is read, and the next part begins without one: for a moment the last one holds on, while the program runs.
+    for (int attempt = 0; attempt < 3 && !view.known; ++attempt) view.known = find_picture(*segment, first.serial, view.picture);
+    Clock::time_point& told = pictureTold_[number - 1];
+    const bool runs = status.state == static_cast<std::uint32_t>(ChannelState::Running) || status.state == static_cast<std::uint32_t>(ChannelState::Waiting);
+    if (!runs) told = {};
+    else if (view.known) told = Clock::now();
+    else view.known = told != Clock::time_point() && Clock::now() - told < kPictureHolds;
     if (view.known && (view.picture.flags & kPictureNoNose)) readNose(number, running ? status.record : head - 1);
     for (std::size_t place = 0; view.known && place < kChannelAxes; ++place) view.toolShift[place] = view.picture.tool_shift[place], view.toolShown[place] = view.picture.tool_shown[place] - view.nose[place];   // BlockPicture::tool_shown, kPictureNoNose
     readTaken(number);

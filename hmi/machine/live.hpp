@@ -134,6 +134,7 @@ private:
     PeerSegment<StoreSegment> storeSegment_;
     std::array<PeerSegment<ChannelSegment>, kMaxChannels> channelSegments_;
     std::array<std::uint64_t, kMaxChannels> namesVersion_{};
+    std::array<std::chrono::steady_clock::time_point, kMaxChannels> pictureTold_{};   // while its program runs: when the picture of the running block was found last
     std::unique_ptr<MachineStatus> status_;
     std::unique_ptr<MachineConfig> config_;
     std::unique_ptr<params::Table> table_;

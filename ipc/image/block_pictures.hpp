@@ -5,6 +5,7 @@
 //   B1  Pictures from picture_first to head belong to the running program; the newest with a serial up to the block's holds.
 //       A program that was taken back has smaller serials behind larger ones: the newest still holds.
 //   B2  The channel writes slot head while head - kPictures is thereby lost: a copy counts when its index was not lost afterwards.
+//   B3  picture_serials holds the serial of each slot from before head grows. One that is lost may be seen there: B2 finds out.
 #pragma once
 #include <cstring>
 
@@ -15,19 +16,22 @@ namespace polyturn {
 // Writer: the draft holds from its serial on.
 inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) noexcept {
     const std::uint64_t head = channel.pictures.head.load(std::memory_order_relaxed);
+    channel.picture_serials[head % kPictures].store(picture.serial, std::memory_order_relaxed);
     channel.pictures.slot(head) = picture;
     channel.pictures.head.store(head + 1, std::memory_order_release);
 }
 
-// Reader: false when nothing is known about that block.
+// Reader: false when nothing is known about that block; `out` is then as it was.
 [[nodiscard]] inline bool find_picture(const ChannelSegment& channel, std::uint64_t serial, BlockPicture& out) noexcept {
     const std::uint64_t first = channel.picture_first.load(std::memory_order_acquire), head = channel.pictures.head.load(std::memory_order_acquire);
     for (std::uint64_t at = head; at > first && head - at < kPictures - 1; --at) {
-        const BlockPicture& slot = channel.pictures.slot(at - 1);
-        if (slot.serial > serial) continue;
-        std::memcpy(static_cast<void*>(&out), &slot, sizeof out);
+        if (channel.picture_serials[(at - 1) % kPictures].load(std::memory_order_relaxed) > serial) continue;
+        BlockPicture copy;
+        std::memcpy(static_cast<void*>(&copy), &channel.pictures.slot(at - 1), sizeof copy);
         std::atomic_thread_fence(std::memory_order_acquire);
-        return channel.pictures.head.load(std::memory_order_relaxed) - (at - 1) < kPictures && out.serial <= serial;   // B2
+        if (channel.pictures.head.load(std::memory_order_relaxed) - (at - 1) >= kPictures || copy.serial > serial) return false;   // B2
+        std::memcpy(static_cast<void*>(&out), &copy, sizeof out);
+        return true;
     }
     return false;
 }

@@ -49,6 +49,7 @@ struct ChannelSegment {
     Snapshot<VariableList> variables;
     Snapshot<Dialogue> dialogue;
     alignas(64) std::atomic<std::uint64_t> picture_first{0};  // pictures before it belong to an earlier program
+    std::array<std::atomic<std::uint64_t>, kPictures> picture_serials{};   // BlockPicture::serial of each slot, side by side: they are searched many times a second
     RingHead<BlockPicture, kPictures> pictures;          // nobody consumes them, the oldest are written over: ipc/image/block_pictures.hpp
     Doorbell bell;                                       // rung after pushes and when quiet; the kernel waits on it in virtual time
 };

@@ -10,9 +10,9 @@ using namespace params;
 
 constexpr std::int64_t kMostOffsets = 999;   // of all channels together (part 1, 15.1)
 
-void check_tick(Report& report) {
+void check_tick(Report& report) {   // part 1, 2: Auto (0), 1000, 2000, 5000
     const auto tick_us = get(report.table, n0005_nc_cycle_time);
-    if (tick_us != 0 && tick_us < 125) report.add(Alarm::ConfigTick, report.line(n0005_nc_cycle_time));
+    if (tick_us != 0 && tick_us != 1000 && tick_us != 2000 && tick_us != 5000) report.add(Alarm::ConfigTick, report.line(n0005_nc_cycle_time));
 }
 
 // Codes up to 99 have meanings of their own (M0 M1 M2 M3 M30 M98 M99), which a waiting code would hide.

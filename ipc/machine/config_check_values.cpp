@@ -34,9 +34,18 @@ void check_managed_offset(Report& report, unsigned l) {
         report.add(Alarm::ParamRange, report.line(n2923_no_of_offset_code, l) + ": the tool number calls the geometry, N1414#1 L" + std::to_string(l) + "=1");
 }
 
+// N2904 chooses among tools by a column that N2903 must have added (part 2, 30.4).
+void check_life_column(Report& report) {
+    bool asked = false;
+    for (const ChannelConfig& c : report.machine.channels) asked = asked || (c.exists() && bit(report.table, n2901_search_config, c.number, 0));
+    if (asked && get(report.table, n2904_custom_life_column_no) > get(report.table, n2903_no_of_custom_columns))
+        report.add(Alarm::ParamRange, report.line(n2904_custom_life_column_no) + " above " + report.line(n2903_no_of_custom_columns));
+}
+
 }  // namespace
 
 void check_values(Report& report) {
+    check_life_column(report);
     // A simulation is begun as one; a controller never takes itself for one (part 2, 35).
     if (params::get_text(report.table, n5000_nc_mode) != "Real Run") report.add(Alarm::ParamRange, report.line(n5000_nc_mode) + ": Real Run");
     for (const ChannelConfig& c : report.machine.channels) {

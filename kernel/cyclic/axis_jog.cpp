@@ -11,10 +11,18 @@ void AxisJog::start(double from, double sign, const Limits& limits, std::int64_t
     limits_.jerk = std::min(limits.jerk, 100.0 * limits.acceleration / tick_s);  // as good as none
     aims_ = distance > 0;
     ticks_ = aims_ ? 0 : ticks;
+    room_ = room;
     end_ = std::max(0.0, aims_ ? std::min(distance, room) : room);
     state_ = {};
     landing_now_ = false;
     active_ = end_ > 0 && (limits.speed > 0 || may_wait) && limits.acceleration > 0;
+}
+
+void AxisJog::keep_distance(double distance, double sign) noexcept {
+    const double end = std::min(state_.s + distance, room_);
+    if (!active_ || !aims_ || sign != sign_ || end <= end_) return;
+    end_ = end;
+    landing_now_ = false;   // whoever could stand at the nearer end can at the farther one
 }
 
 double AxisJog::step(double tick_s) noexcept {

@@ -20,6 +20,8 @@ public:
     void keep(std::int64_t ticks, double sign) noexcept {
         if (active_ && !aims_ && sign == sign_ && ticks_ > 0 && ticks > ticks_) ticks_ = ticks;
     }
+    // Of one that goes a distance: at least so far from where it is now, if it goes that way. What it already aims at is not added up.
+    void keep_distance(double distance, double sign) noexcept;
     bool active() const noexcept { return active_; }
     void limit_speed(double speed) noexcept { limits_.speed = speed; }   // of what is still to be driven; 0: it stands and waits
     bool stands() const noexcept { return state_.v == 0 && limits_.speed == 0; }
@@ -32,6 +34,7 @@ public:
 private:
     bool active_ = false, aims_ = false, landing_now_ = false;
     double from_ = 0, sign_ = 1, end_ = 0;      // end_: s at which it must stand
+    double room_ = 0;
     Limits limits_;
     std::int64_t ticks_ = 0;
     PathState state_;

@@ -145,10 +145,14 @@ void ChannelRunner::restart(double block, ChannelSet together) noexcept {
 
 bool ChannelRunner::allow_jog_in_hold() noexcept {
     if (state_ != ChannelState::Held || !at_rest()) return false;
-    if (jog_in_hold_) return true;
+    step_aside();
+    return true;
+}
+
+void ChannelRunner::step_aside() noexcept {
+    if (std::exchange(jog_in_hold_, true)) return;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (core_.config.axes[a].channel == number_ || core_.axes[a].owner == number_) core_.image.left_at[a].store(core_.axes[a].own(), std::memory_order_release);
-    return jog_in_hold_ = true;
 }
 
 void ChannelRunner::feed_hold() noexcept {

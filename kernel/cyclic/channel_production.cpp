@@ -82,4 +82,20 @@ double ChannelRunner::setup_ceiling() const noexcept {
     return ceiling;
 }
 
+// N0302 of the axes that it moves and that have no reference (nct_parameters_part1 5: in any mode). Along a line each has its share of the
+// speed, elsewhere none is faster than the path.
+double ChannelRunner::ceiling_before_reference(const PathRecord& r) const noexcept {
+    double ceiling = kUnlimited;
+    if (!core_.some_slow || !is_motion(r)) return ceiling;
+    const auto kind = static_cast<RecordKind>(r.kind);
+    for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        if (r.axis[i] >= kMaxAxes || !core_.is_slow(r.axis[i])) continue;
+        const double way = std::fabs(r.end[i] - r.start[i]), most = core_.config.axes[r.axis[i]].reference.rapid;
+        const bool in_plane = kind == RecordKind::Arc && (r.plane[0] == i || r.plane[1] == i);
+        if (kind == RecordKind::Line && r.transform == 0) ceiling = way > 0 ? std::min(ceiling, most * r.length / way) : ceiling;
+        else if (way > 0 || in_plane || r.transform != 0) ceiling = std::min(ceiling, most);
+    }
+    return ceiling;
+}
+
 }  // namespace polyturn::kernel

@@ -249,6 +249,9 @@ Lines lines_of(const PathRecord& r, const std::array<char, 3>& letters) noexcept
 }  // namespace
 
 void ChannelRunner::strobe(const PathRecord& r) noexcept {
+    // A spindle code that comes before the first S means the spindle of N0604 as well.
+    if (const long code = std::lround(r.value); r.code == 'M' && ((code >= 3 && code <= 5) || code == 19) && core_.signals.nc(signals::cn_ssel(number_)) == 0)
+        core_.signals.set_nc(signals::cn_ssel(number_), static_cast<std::int32_t>(core_.config.channels[index_].default_spindle));
     const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
     strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
     if (r.code == 'T' && ToolDesk::managed(core_)) core_.tools.show(core_, index_);

@@ -1,6 +1,7 @@
 #include "kernel/cyclic/channel_runner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ipc/image/interrupt_inputs.hpp"
@@ -9,6 +10,7 @@ namespace polyturn::kernel {
 namespace {
 // A channel sleeps when its ring is full; it is woken when this much has become free, not for every record.
 constexpr std::uint64_t kWakeChunk = 1024;
+constexpr double kMoves = 1e-9;   // mm, degrees in a tick: less is how transformations round
 }  // namespace
 
 ChannelRunner::ChannelRunner(Core& core, unsigned index) : core_(core), index_(index), number_(index + 1), names_(std::make_unique<ProgramNames>()) {}
@@ -144,8 +146,8 @@ bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
 }
 
 void ChannelRunner::supply() noexcept {
+    take_keys();   // the rapid key is for jogging too, which needs no process
     if (!segment_) return;
-    take_keys();
     drop_old_epochs();
     const auto head = segment_->path.head.load(std::memory_order_acquire);
     if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);
@@ -171,6 +173,7 @@ void ChannelRunner::supply() noexcept {
             planned.stop_after = true;
             planned.stop_before = planned.stop_before || cut_.s < kOnLimit;
         }
+        planned.v_max = std::min(planned.v_max, ceiling_before_reference(r));
         if (superposes() || overlays_) planned.v_max *= 1 - kOverlayShare, planned.a_max *= 1 - kOverlayShare, planned.j_max *= 1 - kOverlayShare;
         planner_->append(planned);
     }
@@ -259,6 +262,7 @@ PathInput ChannelRunner::path_input() noexcept {
     input.rapid_override = rapid_override;
     if (core_.config.channels[index_].feed_override_in_rapid) input.rapid_override *= std::min(feed_override, 1.0);
     input.speed_ceiling = setup_ceiling();
+    if (cursor_ < planner_->next_record()) input.speed_ceiling = std::min(input.speed_ceiling, ceiling_before_reference(record(cursor_)));   // lost since it was planned
     input.spindle_rev_s = core_.spindle_rev_s.data();
     input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !drives_by_wheel();
     if (emergency_) input.emergency_dec = emergency_deceleration();
@@ -357,7 +361,13 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached && r.axis[i] != cut_axis_) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached && r.axis[i] != cut_axis_) {
+            if (!axis.referenced && !interrupted_ && core_.must_be_referenced(r.axis[i]) && std::fabs(position[i] - axis.command()) > kMoves) {   // lost on the way
+                line_ = r.line, block_ = r.block, file_ = r.file;
+                raise(Alarm::AxisUnreferenced, name_of('A', r.axis[i]).view());
+            }
+            axis.move_to(position[i]);
+        }
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;
@@ -373,7 +383,7 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
     core_.log.put();
 }
 
-// Axes that obey a master, or are not there, move for no program.
+// Axes that obey a master, are not there, or have lost their reference while the program ran, move for no program.
 void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
         if (r.axis[i] == cut_axis_) {
@@ -381,8 +391,9 @@ void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
             raise(Alarm::BesideRefused, name_of('A', r.axis[i]).view());
         } else if (r.end[i] != r.start[i]) {
             const AxisUnit& axis = core_.axes[r.axis[i]];
-            const Alarm why = axis.bound() ? Alarm::SlaveCommanded : axis.beside ? Alarm::BesideRefused : Alarm::AxisDetached;
-            if (!axis.bound() && !axis.beside && (!axis.detached || axis.config().on_spindle)) continue;
+            const bool away = axis.detached && !axis.config().on_spindle, lost = !axis.referenced && core_.must_be_referenced(r.axis[i]);
+            if (!axis.bound() && !axis.beside && !away && !lost) continue;
+            const Alarm why = axis.bound() ? Alarm::SlaveCommanded : axis.beside ? Alarm::BesideRefused : away ? Alarm::AxisDetached : Alarm::AxisUnreferenced;
             line_ = r.line, block_ = r.block, file_ = r.file;   // the refused block, not the one before it
             raise(why, name_of('A', r.axis[i]).view());
         }

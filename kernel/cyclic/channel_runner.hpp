@@ -82,6 +82,10 @@ public:
     // Axes are moved by hand in a hold; the machine keeps their way back and says when they are there.
     bool allow_jog_in_hold() noexcept;
     bool jogs_in_hold() const noexcept { return jog_in_hold_; }
+    // The machine moves axes off a path that rests, whatever the program stands at: it goes on when they are back.
+    void step_aside() noexcept;
+    bool rests() const noexcept { return !planner_ || at_rest(); }
+    bool resets() const noexcept { return resetting_; }
     void on_path_again() noexcept { jog_in_hold_ = false; }
     void quit() noexcept;
     void store_changed() noexcept { store_changed_ = change_due_ = true; }
@@ -310,6 +314,7 @@ private:
     bool part_counter(std::string_view variable, double value) noexcept;
     void watch_production() noexcept;
     double setup_ceiling() const noexcept;
+    double ceiling_before_reference(const PathRecord& r) const noexcept;
     bool position_spindle(const PathRecord& r) noexcept;
     bool take_spindle(const PathRecord& r, std::uint32_t number, bool lock) noexcept;
     void tell(ChannelEventKind kind, std::uint64_t record, double value = 0, std::string_view text = {}) noexcept;

@@ -25,7 +25,7 @@ std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
     const PathRecord& r = record(cursor_);
     if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping | kOverrideLocked))) return 0;
     const bool follows = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution && r.spindle != 0;
-    const std::uint32_t number = follows ? r.spindle : static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
+    const std::uint32_t number = follows ? r.spindle : core_.selected_spindle(number_);
     if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) return 0;
     const SpindleUnit& spindle = core_.spindles[number - 1];
     const bool foreign = spindle.owner != number_;

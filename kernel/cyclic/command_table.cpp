@@ -16,17 +16,24 @@ void Machine::each_channel(const Command& command, Act act) noexcept {
 }
 
 // One channel that is named is started, or says why it is not. Of several (all, or a machine group) all begin in this tick that have something
-// to begin; the others are passed over: nobody has meant them. Where nothing would begin at all, that is said.
+// to begin; the others are passed over: nobody has meant them. Where nothing would begin at all, one of them says what it lacks: the one
+// that somebody has put into MDI, else the first.
 void Machine::start_channels(const Command& command) noexcept {
     if (command.channel != 0) return each_channel(command, [](ChannelRunner& r) { r.cycle_start(); });
     bool any = false;
+    ChannelRunner* lacks = nullptr;
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         ChannelRunner& runner = *channels_[l];
-        if (!runner.attached() || (command.object != 0 && core_.config.channels[l].group != command.object) || runner.has_nothing_to_begin()) continue;
+        if (!runner.attached() || (command.object != 0 && core_.config.channels[l].group != command.object)) continue;
+        if (runner.has_nothing_to_begin()) {
+            if (!lacks || (runner.mode() == ChannelMode::Mdi && lacks->mode() != ChannelMode::Mdi)) lacks = &runner;
+            continue;
+        }
         any = true;
         runner.cycle_start();
     }
-    if (!any) core_.alarm(Alarm::NotReady, 0, "no program is selected");
+    if (!any && lacks) lacks->cycle_start();   // refused, with its own words
+    else if (!any) core_.alarm(Alarm::NotReady, 0, "no program is selected");
 }
 
 void Machine::take_commands() noexcept {
@@ -47,8 +54,9 @@ void Machine::take_commands() noexcept {
 
 void Machine::run_command(const Command& c) noexcept {
     const bool on = c.value != 0.0;
-    const auto key = [&](std::uint32_t bits) {
-        each_channel(c, [&](ChannelRunner& r) { r.pressed_keys = on ? r.pressed_keys | bits : r.pressed_keys & ~bits; });
+    const auto key = [&](std::uint32_t bits) {   // of a channel without a process too: its axes are moved by hand
+        for (unsigned l = 0; l < kMaxChannels; ++l)
+            if (c.channel == 0 || c.channel == l + 1) channels_[l]->pressed_keys = on ? channels_[l]->pressed_keys | bits : channels_[l]->pressed_keys & ~bits;
     };
     switch (static_cast<CommandKind>(c.kind)) {
         case CommandKind::CycleStart: start_channels(c); break;

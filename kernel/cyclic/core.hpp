@@ -50,6 +50,7 @@ struct Core {
     MachineState state = MachineState::Off;
     bool all_stop = false;                 // PLC dead, ticks late, supervisor silent: everything rests until reset
     bool store_dead = false;
+    bool some_slow = false;                // is_slow() of any axis, in this tick
     bool end_run = false;
     std::uint32_t alarm_count = 0;
     struct { std::int32_t code = -1; std::uint32_t channel = 0; } newest_m;   // given to the PLC last; channel from 1
@@ -125,10 +126,20 @@ struct Core {
         const bool stands = !follows && rotation != 3 && rotation != 4 && !signals.plc(sig::sp_par(s)) && !signals.plc(sig::sp_oreq(s));
         return signals.plc(sig::sp_sdetchr(s)) != 0 || (stands && !signals.plc(sig::ap_detchr(axis + 1)));
     }
+    // CN_SSEL, and before a program has named any that of N0604.
+    std::uint32_t selected_spindle(std::uint32_t channel) const noexcept {
+        const std::int32_t selected = signals.nc(polyturn::signals::cn_ssel(channel));
+        return selected != 0 ? static_cast<std::uint32_t>(selected) : config.channels[channel - 1].default_spindle;
+    }
     // One that counts for «referenced»: it has an order (PT_REF_ORDER), a loop of its own, and exists.
     bool must_be_referenced(std::uint32_t a) const noexcept {
         const AxisConfig& axis = config.axes[a];
         return axis.exists && !axes[a].detached && !axis.servo.open && axis.reference.order != 0;
+    }
+    // Programs may move it before it has its reference, no faster than N0302 (nct_parameters_part1 5, 10.2).
+    bool is_slow(std::uint32_t a) const noexcept {
+        const AxisConfig& axis = config.axes[a];
+        return axis.exists && !axes[a].referenced && !axes[a].detached && !axis.servo.open && axis.reference.order == 0 && axis.reference.rapid > 0;
     }
     // The door is open and nobody works in setup mode with it.
     bool door_open(std::uint32_t channel) const noexcept {

@@ -1,5 +1,8 @@
 // The electronic gear box leaves the work (nct_parameters_part2 19): on CP_EGBRRQ, and on a reset when N1800 RCE says so. The
 // path stops, then all axes with a distance N1804 go it together while the gear is still closed; with RCE it opens then.
+//
+// What the PLC orders is no fault: the program is held, and while the gear stays closed (RCE 0) it can go on once the axes have
+// been taken back, as after a jog in a hold. When the gear opens the workpiece is out of phase: that ends the program like a reset.
 #include <cmath>
 
 #include "kernel/cyclic/machine.hpp"
@@ -33,7 +36,10 @@ void Machine::run_gear_retracts() noexcept {
         if (!config.exists) continue;
         const bool asked = core_.signals.plc(signals::cp_egbrrq(l)) != 0;
         if (asked && !gear_request_[l - 1] && spindle_couplings_.gear_of(l) != SpindleCouplings::kNobody) {
-            if (channels_[l - 1]->program_runs()) channels_[l - 1]->fault(Alarm::GearRetracted, "CP_EGBRRQ", 0);
+            if (channels_[l - 1]->program_runs()) {
+                channels_[l - 1]->safe_hold();
+                core_.alarm(Alarm::GearRetracted, l, "CP_EGBRRQ", 0, channels_[l - 1]->line());
+            }
             retract_gear(l);
         }
         gear_request_[l - 1] = asked;
@@ -44,7 +50,8 @@ void Machine::run_gear_retracts() noexcept {
             phase = GearRetract::None;
             continue;
         }
-        bool rests = true;
+        ChannelRunner& runner = *channels_[l - 1];
+        bool rests = runner.rests();
         double way2 = 0;
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
             const AxisConfig& axis = core_.config.axes[a];
@@ -55,16 +62,23 @@ void Machine::run_gear_retracts() noexcept {
         if (!rests) continue;
         if (phase == GearRetract::Moving || way2 == 0) {
             phase = GearRetract::None;
-            if (config.gear_opens) spindle_couplings_.uncouple(follower);
+            if (!config.gear_opens) continue;
+            spindle_couplings_.uncouple(follower);
+            if (!runner.program_runs()) continue;
+            runner.reset();
+            reset_couplings(l);
             continue;
         }
         phase = GearRetract::Moving;
+        const bool held = runner.program_runs() && !runner.resets();   // it may go on: the way back is kept
+        if (held) runner.step_aside();
         const double way = std::sqrt(way2);
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
             const AxisConfig& axis = core_.config.axes[a];
             if (axis.gear_retract == 0 || axis.channel != l || !core_.axes[a].exists() || core_.axes[a].bound()) continue;
             const double share = std::fabs(axis.gear_retract) / way;
             const double speed = std::fmin(config.gear_retract_feed * share, axis.rapid);
+            if (held && way_back_[l - 1].count < WayBack::kMost) way_back_[l - 1].add(a, core_.axes[a].own());
             start_jog(a, axis.gear_retract > 0 ? 1.0 : -1.0, speed, std::fabs(axis.gear_retract), 0.0);
         }
     }

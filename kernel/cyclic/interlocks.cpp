@@ -52,7 +52,7 @@ void Machine::watch_interlocks() noexcept {
             broken_[l] = 0;
             continue;
         }
-        const auto selected = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(l + 1)));
+        const auto selected = core_.selected_spindle(l + 1);
         InterlockView view{l + 1, selected <= kMaxSpindles ? selected : 0, false, runner.path_moves(), runner.turns_in_rapid()};
         if (view.spindle) view.spindle_turns = core_.spindles[view.spindle - 1].exists() && !core_.spindles[view.spindle - 1].standing();
         for (std::size_t i = 0; i < kInterlocks.size(); ++i) {

@@ -8,6 +8,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kMmPerInch = 25.4;
+constexpr double kWheelStandsS = 0.1;   // without a pulse for so long: a panel tells some times a second how far a wheel was turned
 constexpr std::int64_t kByRegister = 1, kByParameter = 2;   // N0316; 3: the feed of the program
 
 // CP_JOGFD (nct_parameters_part1 5.5): five steps a decade, rounded as the table has them; beyond it the rule goes on.
@@ -93,6 +94,7 @@ void Machine::start_jog(std::uint32_t a, double sign, double speed, double dista
     const double from = axis.own();
     jogs_[a].start(from, sign, limits_by_hand(a, speed), std::llround(seconds / core_.config.tick_s), distance, room_by_hand(a, sign), core_.config.tick_s, by_key);
     jog_address_[a] = 0;
+    wheel_turned_[a] = 0;
     if (jogs_[a].active()) axis.owner = 0;
 }
 
@@ -123,6 +125,7 @@ void Machine::jog_command(const Command& c) noexcept {
     }
     const std::uint32_t wheel = std::clamp<std::uint32_t>(c.flags, 1, 4) - 1;
     const bool by_wheel = kind == CommandKind::Handwheel;
+    const bool stops_with_wheel = by_wheel && (config.handle >> (4 + wheel) & 1u);
     if (by_wheel && (config.handle >> wheel & 1u)) sign = -sign;
     if (by_wheel && channels_[l - 1]->superposes() && channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold()) return superpose(a, sign * size * wheel_click(address));
     if (!may_be_moved(address)) return;
@@ -137,9 +140,10 @@ void Machine::jog_command(const Command& c) noexcept {
     if (axis.moving() || jogs_[a].active() || slides_.carrier(core_, a)) {
         // A panel tells again and again that its key is held, so that an axis stops when the panel dies.
         if (kind == CommandKind::Jog) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
-        // Pulses that come while it moves: collected, or lost with the wheel's N2400 HnM (part 2, 25).
-        if (by_wheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * wheel_click(address) * longer;
-        else if (!by_wheel) core_.alarm(Alarm::NotReady, l, "the axis still moves");
+        // Pulses that come while it moves: collected, or with the wheel's N2400 HnM (part 2, 25) no more than a sign that it is still turned.
+        if (stops_with_wheel) turn_on(a, sign, size * wheel_click(address) * longer);
+        else if (by_wheel) wheel_left_[a] += sign * size * wheel_click(address) * longer;
+        else core_.alarm(Alarm::NotReady, l, "the axis still moves");
         return;
     }
     if (slide && !square_may_come(*slide, l)) return;
@@ -156,7 +160,19 @@ void Machine::jog_command(const Command& c) noexcept {
         if (!jogs_[a].active() && room_by_hand(a, sign) <= 0) core_.alarm(Alarm::NotReady, l, "the axis is at the end of its stroke; the other direction is free");
     } else {
         start_jog(a, sign, by_hand(address) * longer, (kind == CommandKind::Step ? size : size * wheel_click(address)) * longer, 0.0);
+        if (stops_with_wheel) wheel_turned_[a] = core_.tick + 1;
     }
+}
+
+// The wheel that moves the axis, and with which it stops, has been turned further; turned back, it is no longer turned that way.
+void Machine::turn_on(std::uint32_t a, double sign, double way) noexcept {
+    if (wheel_turned_[a] == 0) return;   // something else moves the axis
+    if (sign != jogs_[a].sign()) {
+        jogs_[a].stop();
+        return;
+    }
+    jogs_[a].keep_distance(way, sign);
+    wheel_turned_[a] = core_.tick + 1;
 }
 
 // What the operator moved in the hold goes back the same way, the last move first.
@@ -216,7 +232,8 @@ void Machine::run_jogs() noexcept {
             wheel_left_[a] = 0;
             continue;
         }
-        if (core_.all_stop) jogs_[a].stop();
+        const bool stands_still = wheel_turned_[a] != 0 && static_cast<double>(core_.tick + 1 - wheel_turned_[a]) * core_.config.tick_s > kWheelStandsS;
+        if (core_.all_stop || stands_still) jogs_[a].stop();
         axis.move_to(jogs_[a].step(core_.config.tick_s));
         if (address && !jogs_[a].active()) {
             jog_address_[a] = 0;

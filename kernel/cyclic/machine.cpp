@@ -57,7 +57,6 @@ void Machine::start() {
         const double factor = options.feed_override[l];
         channels_[l]->feed_override = factor > 0 ? factor : 1.0;
         if (core_.config.channels[l].exists) channels_[l]->prepare();
-        if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ssel(l + 1), static_cast<std::int32_t>(core_.config.channels[l].default_spindle));
     }
     show_free_parameters();
     core_.totals.start(core_.table);
@@ -217,6 +216,8 @@ void Machine::supervise() noexcept {
 
 void Machine::run_channels() noexcept {
     turn_wheels();
+    core_.some_slow = false;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.some_slow = core_.some_slow || core_.is_slow(a);
     for (auto& channel : channels_) channel->supply();
     // Balance cut: both have said so and both programs are under way. The lower override counts for both, what holds one holds both.
     struct Own {

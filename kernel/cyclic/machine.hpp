@@ -94,6 +94,7 @@ private:
     bool may_be_moved(std::uint32_t axis) noexcept;
     double by_hand(std::uint32_t axis) const noexcept;
     double wheel_click(std::uint32_t address) const noexcept;
+    void turn_on(std::uint32_t a, double sign, double way) noexcept;
     void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds, bool by_key = false) noexcept;
     // The axis whose drive an address has, and 1 or -1: which way the address counts it (nct_parameters_part2 22.4).
     std::uint32_t behind_address(std::uint32_t axis) const noexcept;
@@ -236,6 +237,7 @@ private:
     std::array<bool, kMaxChannels + 1> program_wheel_{}, program_wheel_shown_{};
     std::array<double, kMaxChannels + 1> program_time_{};
     std::array<double, kMaxAxes> wheel_left_{};        // collected pulses that wait for the axis, mm
+    std::array<std::int64_t, kMaxAxes> wheel_turned_{};   // N2400 HnM: last tick in which the wheel that moves it was turned; 0: none that it stops with
     std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
     std::array<bool, kMaxAxes> absolute_seen_{};       // its encoder has told where the axis stands
     std::array<bool, kMaxAxes> drive_ready_{};         // AP_RPE at the last tick

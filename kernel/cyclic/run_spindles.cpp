@@ -101,7 +101,7 @@ std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
     const bool turned = rotation_[s] == 3 || rotation_[s] == 4;
     bool needed = false;
     if (turn_refused_[s] && turned && core_.on() && !core_.all_stop)   // its chuck has opened: the axes first
-        for (auto& channel : channels_) needed = needed || (channel->path_moves() && core_.signals.nc(signals::cn_ssel(channel->number())) == static_cast<std::int32_t>(s + 1));
+        for (auto& channel : channels_) needed = needed || (channel->path_moves() && core_.selected_spindle(channel->number()) == s + 1);
     if (turned && wanted != rotation_[s] && core_.on() && !core_.all_stop)
         for (auto& channel : channels_) {
             if (!channel->cuts_with(s + 1)) continue;

@@ -37,6 +37,7 @@ void StrokeGuard::update(const Core& core) noexcept {
             const std::uint32_t a = channel.axis[i];
             const AxisUnit& axis = core.axes[a];
             const AxisStroke& stroke = core.config.axes[a].stroke;
+            if (const std::uint32_t now = axis.referenced ? channel.referenced | 1u << i : channel.referenced & ~(1u << i); now != channel.referenced) channel.referenced = now, changed = true;
             AxisZone zone;
             if (stroke.any() && axis.referenced && !axis.detached) {
                 const auto on = [&](std::uint32_t slot) { return core.signals.plc(slot) != 0; };

@@ -19,7 +19,7 @@ class StrokeGuard {
 public:
     void configure(const KernelConfig& config) noexcept;   // which axes belong to which channel
     void update(const Core& core) noexcept;                // once a tick, before the channels run
-    // Grows when something that holds for the channel (from 0) has changed.
+    // Grows when something that holds for the channel (from 0) has changed; so has what its axes may do once one has its reference.
     std::uint64_t version(unsigned channel) const noexcept { return channels_[channel].version; }
 
     // Positions of a channel's axes while records are planned: in the order of its zones.
@@ -43,6 +43,7 @@ private:
         // where a record planned now will lead; guard_stroke() watches that axis.
         std::array<double, kChannelAxes> added{};
         std::uint32_t growing = 0;               // bit i: added[i] has changed with this tick
+        std::uint32_t referenced = 0;            // bit i: axis[i] is
         bool limited = false;
         std::uint64_t version = 1;
     };

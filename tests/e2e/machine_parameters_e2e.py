@@ -259,7 +259,7 @@ class Spindles(Parameters):
         self.assertAlmostEqual(abs(trace["S2.speed"][first]), 300, delta=3)
         self.assertAlmostEqual(trace["S1.speed"][second], 700, delta=3)
         self.assertAlmostEqual(trace["S2.speed"][second], 0, delta=1)
-        self.assertEqual([e["value"] for e in done.of("flag", name="CN_SSEL L1")], [2, 1])
+        self.assertEqual([e["value"] for e in done.of("flag", name="CN_SSEL L1")], [1, 2, 1], "none before the first S")
         self.run_nct("SB5=300\nM30\n", "N0605 S2=66", "N0606 S2=53")
         self.run_nct("SB5=300\nM30\n", status=1)
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
@@ -30,7 +31,7 @@ struct Column {
 };
 constexpr Column kColumns[] = {
     {"nominal", -1e5, 1e5, 0, true}, {"upper", -1e3, 1e3, 0, true}, {"lower", -1e3, 1e3, 0, true}, {"tool", 1, 1000, 0, false}, {"channel", 1, 16, 1, false},
-    {"offset", 1, 999, 0, false},    {"edge", 0, 12, 0, false}, {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
+    {"offset", 1, 999, 0, false},    {"edge", 0, kMostEdgesOfTool, 0, false}, {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
 };
 
 Key dimension_key(std::int32_t number, std::string name) { return {Kind::Dimension, 0, number, 0, std::move(name)}; }

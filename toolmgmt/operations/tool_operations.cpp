@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ipc/machine/edge_lengths.hpp"
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/machine/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
@@ -75,7 +76,7 @@ bool set_field(Work& work, std::int32_t number, const std::string& name, const s
     if (std::sscanf(name.c_str(), "D%d.DP%d%n", &edge, &parameter, &used) == 2 && name[static_cast<std::size_t>(used)] == 0) {
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);
-        if (edge < 1 || edge > 12 || parameter < 1 || parameter > 35) return work.fault(Alarm::ToolValueBad, name + ": edges are D1 to D12, parameters DP1 to DP35", row, name), false;
+        if (edge < 1 || edge > kMostEdgesOfTool || parameter < 1 || parameter > 35) return work.fault(Alarm::ToolValueBad, name + ": edges are D1 to D" + std::to_string(kMostEdgesOfTool) + ", parameters DP1 to DP35", row, name), false;
         if (text.empty() || *end != 0 || !std::isfinite(value) || std::fabs(value) > 1e6) return work.fault(Alarm::ToolValueBad, name + "=" + text + ": not a number", row, name), false;
         if (parameter == 2 && (value < 0 || value > 9 || value != std::trunc(value))) return work.fault(Alarm::ToolValueBad, name + "=" + text + ": tip directions are 0 to 9", row, name), false;
         if (value != 0 && !find_edge(work.values, number, edge) && work.values.edges.count == kToolEdges) return work.fault(Alarm::ToolTableFull, std::to_string(kToolEdges) + " edges", row, name), false;

@@ -59,8 +59,7 @@ void LathePlc::take_codes(View view, std::uint32_t channel) {
     if (const std::int32_t count = view.in.signal[slot.s_strobe]; count != me.s_seen) {
         me.s_seen = view.out.signal[slot.s_fin] = count;
         ++me.finished;
-        const std::int32_t selected = view.in.signal[slot.selected];
-        if (selected > 0 && selected <= static_cast<std::int32_t>(kSpindles)) choose_range(view, static_cast<std::uint32_t>(selected), view.in.signal[slot.s_code]);
+        if (const std::uint32_t selected = selected_of(view, channel)) choose_range(view, selected, view.in.signal[slot.s_code]);
     }
     if (const std::int32_t count = view.in.signal[slot.b_strobe]; count != me.b_seen) {
         me.b_seen = view.out.signal[slot.b_fin] = count;
@@ -76,10 +75,15 @@ void LathePlc::take_codes(View view, std::uint32_t channel) {
     }
 }
 
+// A chuck's code may come before the program has named a spindle: then it is that of N0604. 0: none.
+std::uint32_t LathePlc::selected_of(View view, std::uint32_t channel) {
+    const std::int32_t named = view.in.signal[slots(channel).selected], number = named ? named : channel_settings_[channel - 1].default_spindle;
+    return number > 0 && number <= static_cast<std::int32_t>(kSpindles) ? static_cast<std::uint32_t>(number) : 0;
+}
+
 void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
     Channel& me = at(channel);
-    const std::int32_t named = view.in.signal[slots(channel).selected];
-    const std::uint32_t selected = named > 0 && named <= static_cast<std::int32_t>(kSpindles) ? static_cast<std::uint32_t>(named) : 0;
+    const std::uint32_t selected = selected_of(view, channel);
     me.pending = {};
     me.m_code = code;
     // The helpers come first: their codes are chosen for this machine.
@@ -99,9 +103,7 @@ void LathePlc::take_axis_codes(View view) {
         const std::uint32_t channel = axis_channel_[a];
         const std::int32_t code = view.in.signal[slot.code];
         const bool turns = view.in.signal[slot.letter] == 'M' && code >= kRight && code <= kStop && channel >= 1 && channel <= kChannels;
-        const std::int32_t named = turns ? view.in.signal[slots(channel).selected] : 0;
-        if (named >= 1 && named <= static_cast<std::int32_t>(kSpindles)) {
-            const auto spindle = static_cast<std::uint32_t>(named);
+        if (const std::uint32_t spindle = turns ? selected_of(view, channel) : 0) {
             const Message why = code == kStop ? kNoMessage : why_not_turn(view, channel, spindle);
             if (why != kNoMessage) {
                 at(channel).message = why;

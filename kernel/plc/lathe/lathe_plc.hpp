@@ -147,6 +147,7 @@ private:
         std::array<double, kHelpers> time_s;
         std::array<std::int32_t, kHelpers> code;
         std::array<std::int32_t, kMGroups> group_low, group_high;
+        std::int32_t default_spindle;    // N0604
         std::int32_t stations, magazine, first_pot;   // turret: its magazine of tool management, 0 none
         bool half;                       // it also stops between its stations
         std::int32_t first_spindle_code, in_door, in_setup, in_lube, in_bar;
@@ -175,6 +176,7 @@ private:
     void stop_everything();
     void write_outputs(View view) const;
     // spindles.cpp
+    std::uint32_t selected_of(View view, std::uint32_t channel);
     bool spindle_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
     void turn(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t rotation, bool closes = false);
     void chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open);

@@ -47,6 +47,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
                                  f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c), f.plc("CP_TURRETOPEN", c), f.plc("CP_TAILOPEN", c), f.plc("CP_SETUP", c), f.plc("CP_JOGFD", c),
                                  f.plc("CP_UIN", c)};
         ChannelSettings& s = channel_settings_[c - 1];
+        s.default_spindle = f.whole("N0604", c);
         s.turret_time_s = f.real("PT_TURRET_TIME", c);
         s.turret_clamp_s = f.real("PT_TURRET_CLAMP", c);
         s.forward_only = f.real("PT_TURRET_FORWARD", c) != 0;

@@ -234,6 +234,38 @@ TEST(MachineGroups, HaveKeysOfTheirOwnForTheGroupOfTheChosenChannel) {
     noWordIsShortened(window);
 }
 
+// The channel reads as far ahead as its ring has room, and each block of the loop has other codes than the one before.
+TEST(ManyChannelsCard, TellsToolAndCodesOfALoopThatIsReadFarAhead) {
+    QTemporaryDir folder;
+    Controller controller;
+    Choices choices;
+    choices.instance = controller.name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow window(choices);
+    window.resize(1280, 800);
+    window.show();
+    const Live& live = window.desk().live;
+    ASSERT_TRUE(waitFor([&] { return live.connected(); }));
+    ASSERT_TRUE(controller.press("machine_on"));
+    ASSERT_TRUE(controller.press("reference all"));
+    QFile program(folder.filePath("O1.nc"));
+    ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+    program.write("O1\nT0101\nN10 G98 G1 X50. F3000.\nG0 X51.\nG1 X50. F2900.\nG0 X51.\nGOTO 10\n");
+    program.close();
+    ASSERT_TRUE(controller.press("select L1=" + program.fileName()));
+    ASSERT_TRUE(waitFor([&] { return live.channel(1).start_missing == 0; }));
+    ASSERT_TRUE(controller.press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return live.channel(1).record > 30; }));
+    frames(window, 1000);   // long enough for the channel to be far ahead
+    int known = 0;
+    for (int look = 0; look < 40; ++look) {
+        frames(window, 30);
+        known += live.view(1).known && live.view(1).picture.tool == 1;
+    }
+    EXPECT_EQ(known, 40);
+    ASSERT_TRUE(controller.press("reset"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 4, 8, 16));
 
 }  // namespace

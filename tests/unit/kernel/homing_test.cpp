@@ -219,5 +219,78 @@ TEST(Homing, DetachingLosesTheReferenceAndAProgramIsRefused) {
     EXPECT_TRUE(b.rig.alarmed(Alarm::NotReady, 1));
 }
 
+// nct_parameters_part1 2.1, 5 (N0302), 10.2: an axis that has lost its reference must be homed again; until then its limits do not hold.
+struct Lost {
+    explicit Lost(std::int64_t order) : rig([order](Table& t, RunOptions&) {
+        params::put(t, params::n0900_reference_type, 0x18, 2);   // ABS and FLO: AP_RPE says whether Z has its reference
+        params::put(t, params::n0302_ref_rapid, 600, 2);
+        params::put(t, params::pt_ref_order, order, 2);
+    }) {
+        rpe(1);
+        rig.run(30);
+        EXPECT_TRUE(rig.machine->core().axes[1].referenced);
+    }
+    void rpe(int on) { rig.command(CommandKind::SetSignal, 0, on, 0, signals::ap_rpe(2), 1); }
+    TickRig rig;
+};
+
+TEST(LostReference, StopsTheProgramThatMovesTheAxis) {
+    Lost m(1);
+    m.rig.push(1, m.rig.line(1, {-10, -40}, 50));
+    m.rig.push(1, m.rig.stop(1, StopReason::M30));
+    m.rig.start(1);
+    m.rig.run(300);
+    m.rpe(0);
+    m.rig.run_until_idle();
+    EXPECT_EQ(m.rig.state(1), ChannelState::Interrupted);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::AxisUnreferenced, 1));
+    EXPECT_GT(m.rig.position(2), -25);
+    EXPECT_NEAR(m.rig.position(2), 4 * m.rig.position(1), 1e-9) << "along the path";
+}
+
+TEST(LostReference, IsSaidBeforeTheAxisMovesAndLeavesTheOthersFree) {
+    Lost m(1);
+    m.rig.push(1, m.rig.dwell(1, 0.2));
+    m.rig.push(1, m.rig.line(1, {10, 0}, 50));
+    const PathRecord with_z = m.rig.line(1, {0, -5}, 50);
+    m.rig.push(1, with_z);
+    m.rig.push(1, m.rig.stop(1, StopReason::M30));
+    m.rig.start(1);
+    m.rig.run(50);
+    m.rpe(0);
+    m.rig.run_until_idle();
+    EXPECT_NEAR(m.rig.position(1), 10, 1e-9);
+    EXPECT_EQ(m.rig.position(2), 0);
+    EXPECT_EQ(m.rig.state(1), ChannelState::Interrupted);
+    const KernelEvent* alarm = m.rig.find(KernelEventKind::Alarm, 1);
+    ASSERT_NE(alarm, nullptr);
+    EXPECT_EQ(alarm->code, static_cast<int>(Alarm::AxisUnreferenced));
+    EXPECT_EQ(alarm->line, with_z.line) << "the refused block";
+}
+
+// PT_REF_ORDER 0: programs may move it all the same, no faster than N0302.
+TEST(LostReference, SlowsAnAxisThatNeedsNoneToN0302) {
+    Lost m(0);
+    m.rig.push(1, m.rig.line(1, {-10, -40}, 50));
+    m.rig.push(1, m.rig.dwell(1, 0.2));
+    m.rig.push(1, m.rig.line(1, {0, -15}, 0, kRapid));
+    m.rig.push(1, m.rig.dwell(1, 0.2));
+    m.rig.push(1, m.rig.line(1, {30, 0}, 0, kRapid));
+    m.rig.push(1, m.rig.line(1, {-30, -15}, 50));
+    m.rig.push(1, m.rig.stop(1, StopReason::M30));
+    m.rig.start(1);
+    m.rig.run(300);
+    EXPECT_LT(m.rig.speed_of(2), -40);
+    m.rpe(0);
+    m.rig.run(150);
+    double fastest = 0, fastest_x = 0;
+    m.rig.on_tick = [&] { fastest = std::max(fastest, std::fabs(m.rig.speed_of(2))), fastest_x = std::max(fastest_x, m.rig.speed_of(1)); };
+    m.rig.run_until_idle();
+    EXPECT_EQ(m.rig.state(1), ChannelState::Ended);
+    EXPECT_NEAR(fastest, 10, 1e-6);
+    EXPECT_GT(fastest_x, 100) << "the others are as fast as ever";
+    EXPECT_NEAR(m.rig.position(2), -70, 1e-9);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel

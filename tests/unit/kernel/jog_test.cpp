@@ -101,6 +101,31 @@ TEST(Jog, FollowsTheFeedSwitchWhileTheKeyIsHeld) {
     EXPECT_NEAR(rig.speed_of(1), 126.0 / 60, 0.01);
 }
 
+// An operator sets up a channel whose process has not come yet, or has died: the keys are the machine's.
+TEST(Jog, TheRapidKeyActsWhereNoProcessOfTheChannelIsThere) {
+    TickRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n0000_machine_group, 1, 4);
+        params::put(t, params::n0002_axis_assign, 4, 4);
+        params::put(t, params::n0314_manual_rapid, 6000, 4);
+        params::put(t, params::n0315_jog_max_feed, 600, 4);
+    });
+    rig.plc_program = [](const PlcInputs& in, PlcOutputs& out) {
+        TickRig::lathe(in, out);
+        out.signal[signals::cp_jogfd(4)] = 20;
+    };
+    rig.run(50);
+    ASSERT_FALSE(rig.machine->channel(3).attached());
+    rig.command(CommandKind::Jog, 0, 2, 0, 4);
+    rig.run(300);
+    EXPECT_NEAR(rig.speed_of(4), 10, 0.01);
+    rig.command(CommandKind::RapidKey, 4, 1);
+    rig.run(300);
+    EXPECT_NEAR(rig.speed_of(4), 100, 0.01);
+    rig.command(CommandKind::RapidKey, 4, 0);
+    rig.run(300);
+    EXPECT_NEAR(rig.speed_of(4), 10, 0.01);
+}
+
 TEST(Jog, TheAddressOfAnExchangedAxisMovesTheDriveItHas) {
     TickRig rig([](params::Table& t, RunOptions&) {
         params::put(t, params::n2104_composit_axis, 3, 1);

@@ -143,5 +143,25 @@ TEST(Spindle, SetsThePaceOfFeedPerRevolution) {
     EXPECT_NEAR(rig.speed_of(2), -5.0, 0.05);
 }
 
+// nct_parameters_part1 8.1, N0604: «at such a reference» its number goes to CN_SSEL. Before, none is selected.
+TEST(SelectedSpindle, IsThatOfN0604FromTheFirstPlainSOrSpindleCodeOn) {
+    for (const bool by_code : {false, true}) {
+        TickRig rig;
+        const auto selected = [&](unsigned l) { return rig.machine->core().signals.nc(signals::cn_ssel(l)); };
+        rig.run(30);
+        EXPECT_EQ(selected(1), 0);
+        rig.push(1, rig.aux(1, 'M', 8));
+        rig.push(1, rig.dwell(1, 0.1));
+        rig.push(1, by_code ? rig.aux(1, 'M', 3) : rig.spindle(1, 500));
+        rig.push(1, rig.dwell(1, 0.1));
+        rig.start(1);
+        rig.run(80);
+        EXPECT_EQ(selected(1), 0) << "M8 means no spindle";
+        rig.run_until_idle();
+        EXPECT_EQ(selected(1), 1);
+        EXPECT_EQ(selected(2), 0) << "its program has not said so";
+    }
+}
+
 }  // namespace
 }  // namespace polyturn::kernel

@@ -155,6 +155,21 @@ TEST(StartConditions, WhereNothingCouldBeginThatIsSaidOnce) {
     EXPECT_EQ(told, 1);
 }
 
+// Of the channel that it concerns, which shows it, and in the words of its mode.
+TEST(StartConditions, WhereNothingCouldBeginItsChannelAndWhatItLacksAreNamed) {
+    for (const bool by_hand : {false, true}) {
+        TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n0000_machine_group, 2, 2); });
+        for (unsigned l = 1; l <= 3; ++l) rig.command(CommandKind::Select, l, 0, 0, 0, 0, "");
+        if (by_hand) rig.command(CommandKind::Mode, 3, static_cast<double>(ChannelMode::Mdi));
+        rig.command(CommandKind::CycleStart, 0, 1, 0, 1);   // the first group: L1 and L3
+        rig.run(3);
+        const KernelEvent* alarm = rig.find(KernelEventKind::Alarm);
+        ASSERT_NE(alarm, nullptr);
+        EXPECT_EQ(alarm->channel, by_hand ? 3u : 1u) << "who has chosen MDI, or the first";
+        EXPECT_NE(std::string(alarm->text.data()).find(by_hand ? "no block is entered" : "no program is selected"), std::string::npos) << alarm->text.data();
+    }
+}
+
 // N0000: a machine group is a machine of its own.
 TEST(StartConditions, AGroupIsStartedWithoutTheOthers) {
     TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n0000_machine_group, 2, 2); });
@@ -250,6 +265,40 @@ TEST(Handwheel, IsReversedAndCollectsOrLosesPulsesAsN2400Says) {
     rig.run_until_idle();
     EXPECT_NEAR(rig.position(1), -2, 1e-9);
     EXPECT_NEAR(rig.position(2), 1, 1e-9);
+}
+
+// nct_parameters_part2 25: HnM 0, the axis goes on until all pulses are used up; 1, it stops at once when the wheel stops.
+TEST(Handwheel, StopsWithTheWheelWhereN2400SaysSo) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n2400_handle_direction, 0x10, 2); });
+    rig.command(CommandKind::Handwheel, 0, 100'000, 0, 1, 1);
+    rig.command(CommandKind::Handwheel, 0, 100'000, 0, 2, 1);
+    rig.run(3);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 100, 1e-9);
+    EXPECT_GT(rig.position(2), 1);
+    EXPECT_LT(rig.position(2), 20) << "what it could drive while the wheel turned, and its way to brake";
+    // Turned on and on, the axis does not stop between the pulses; none is kept for later, and none is driven twice.
+    const double from = rig.position(2);
+    double slowest = 1e9;
+    for (int n = 0; n < 50; ++n) {
+        rig.command(CommandKind::Handwheel, 0, -500, 0, 2, 1);
+        rig.run(20);
+        if (n > 10) slowest = std::min(slowest, std::fabs(rig.speed_of(2)));
+    }
+    EXPECT_GT(slowest, 5);
+    const double turned = rig.position(2);
+    EXPECT_LT(turned, from - 15);
+    EXPECT_GE(turned, from - 25 - 1e-9);
+    rig.run_until_idle();
+    EXPECT_GE(rig.position(2), turned - 1) << "not further than the last pulses say";
+    // The wheel is turned back while the axis moves: that is no way to go on.
+    rig.command(CommandKind::Handwheel, 0, 100'000, 0, 2, 1);
+    rig.run(60);
+    const double back = rig.position(2);
+    rig.command(CommandKind::Handwheel, 0, -10, 0, 2, 1);
+    rig.run_until_idle();
+    EXPECT_LT(rig.position(2) - back, 10);
+    EXPECT_EQ(rig.speed_of(2), 0.0);
 }
 
 TEST(Jog, IsNoFasterThanN0302BeforeTheAxisIsReferencedAndReferencesInItsMode) {

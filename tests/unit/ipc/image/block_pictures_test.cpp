@@ -69,6 +69,27 @@ RC_GTEST_PROP(BlockPictures, AgreesWithAPlainList, ()) {
     if (expected) RC_ASSERT(found.feed == expected->feed);
 }
 
+// A loop of G0 and G1 in turn: each record that waits in the ring has a picture of its own, and some blocks have no record.
+TEST(BlockPictures, AllBlocksThatAChannelIsAheadAreKnown) {
+    auto channel = std::make_unique<ChannelSegment>();
+    BlockPicture found;
+    const std::uint64_t ahead = kPathRing + kPathRing / 4;
+    for (std::uint64_t i = 1; i <= 3 * ahead; ++i) {
+        push_picture(*channel, picture(i, static_cast<double>(i)));
+        if (i < ahead || i % 97 != 0) continue;
+        ASSERT_TRUE(find_picture(*channel, i - ahead + 1, found)) << i;
+        ASSERT_EQ(found.serial, i - ahead + 1);
+    }
+}
+
+TEST(BlockPictures, WhatIsNotFoundLeavesTheLastOneAsItWas) {
+    auto channel = std::make_unique<ChannelSegment>();
+    BlockPicture found = picture(3, 0.3);
+    for (std::uint64_t i = 10; i <= 2 * kPictures; ++i) push_picture(*channel, picture(i, static_cast<double>(i)));
+    EXPECT_FALSE(find_picture(*channel, 12, found));
+    EXPECT_EQ(found.feed, 0.3);
+}
+
 TEST(BlockPictures, WhatWasWrittenOverIsNotToldAsIfItHeld) {
     auto channel = std::make_unique<ChannelSegment>();
     for (std::uint64_t i = 1; i <= 2 * kPictures; ++i) push_picture(*channel, picture(i, static_cast<double>(i)));

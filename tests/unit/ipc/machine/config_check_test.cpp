@@ -49,6 +49,9 @@ const Row kRows[] = {
     {{"N0103 A5=3"}, Alarm::ConfigPlaneRole, "N0103 A5=3"},
     {{"N0103 A5=4"}, Alarm::ConfigPlaneRole, "N0103 A5=4"},
     {{"N0005=50"}, Alarm::ConfigTick, "N0005=50"},
+    {{"N0005=500"}, Alarm::ConfigTick, "N0005=500"},     // Auto, 1000, 2000, 5000: part 1, 2; part 2, 9
+    {{"N0005=4000"}, Alarm::ConfigTick, "N0005=4000"},
+    {{"N2901#0 L2=1", "N2903=2", "N2904=3"}, Alarm::ParamRange, "N2904=3"},   // a column of those that N2903 adds: part 2, 30.4
     {{"N3106 L2=0.01", "N3107 L2=0.03"}, Alarm::ParamRange, "N3107 L2=0.03"},
     {{"N3205 L1=1", "N3206 L1=20"}, Alarm::ParamRange, "N3206 L1=20"},
     {{"N3209 L1=3", "N3210 L1=-20"}, Alarm::ParamRange, "N3210 L1=-20"},
@@ -194,6 +197,9 @@ TEST(MachineCheck, LetsPassWhatTheSpecificationAllows) {
         {"N0106#0=1", "N0107=1"},                              // of every axis: DIA counts for linear ones, REN for rotary ones (part 1, 3.4, 3.5)
         {"N3106 L1=1", "N3107 L1=2", "N3205 L1=4", "N3206 L1=20", "N1413 L1=3", "N2923 L1=555", "N0682 S1=10"},   // at what they may be
         {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036", "N2506 A5=360"},
+        {"N0005=0"}, {"N0005=2000"}, {"N0005=5000"},           // Auto, and what else the cycle may be
+        {"N2901#0 L2=1", "N2903=2", "N2904=2"},                // the last column
+        {"N2903=2", "N2904=3"},                                // TCU 0: no column is asked
     };
     for (const auto& lines : kGood) {
         const auto found = check_machine_config(twin_turret_with(lines));
