@@ -139,11 +139,12 @@ void Machine::jog_command(const Command& c) noexcept {
     const double longer = slide ? 1.0 / slide->cosine : 1.0;   // what the operator asks for is X at right angles
     if (axis.moving() || jogs_[a].active() || slides_.carrier(core_, a)) {
         // A panel tells again and again that its key is held, so that an axis stops when the panel dies.
-        if (kind == CommandKind::Jog) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
+        const bool held = kind == CommandKind::Jog && jogs_[a].active() && jogs_[a].sign() == sign;
+        if (held) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
         // Pulses that come while it moves: collected, or with the wheel's N2400 HnM (part 2, 25) no more than a sign that it is still turned.
         if (stops_with_wheel) turn_on(a, sign, size * wheel_click(address) * longer);
         else if (by_wheel) wheel_left_[a] += sign * size * wheel_click(address) * longer;
-        else core_.alarm(Alarm::NotReady, l, "the axis still moves");
+        else if (!held) core_.alarm(Alarm::NotReady, l, "the axis still moves");
         return;
     }
     if (slide && !square_may_come(*slide, l)) return;

@@ -53,6 +53,7 @@ TEST(Jog, GoesOnWhileThePanelTellsThatTheKeyIsHeldAndStopsWhenItTellsNothing) {
         rig.run(200);
         EXPECT_GT(rig.position(1), before + 5) << told;
     }
+    EXPECT_FALSE(rig.alarmed(Alarm::NotReady, 1)) << "to hold a key is nothing to complain of";
     rig.command(CommandKind::Jog, 0, -5.0, 0, 1);   // the other direction does not keep it
     const double last = rig.position(1);
     rig.run_until_idle();
