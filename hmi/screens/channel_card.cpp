@@ -318,7 +318,7 @@ private:
     void speeds() {
         const double h = px(spare_ ? 62 : dense_ ? 44 : slim() ? 90 : 74), half = (wide_ - px(8)) / 2;
         tile(QRectF(left_, y_, half, h), Sign::Feed, live_.unit(channel_).speed(status_.path_speed * 60), live_.unit(channel_).perMinute(), feedWords(), status_.feed_override,
-             QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
+             word("Rapid %1 %").arg(std::lround(status_.rapid_override * 100)));
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
         const QRectF right(left_ + half + px(8), y_, half, h);
         if (spindle >= 1 && spindle <= kMaxSpindles) {

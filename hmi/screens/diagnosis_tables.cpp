@@ -139,7 +139,7 @@ void Diagnosis::fillCouplings() {
         const AxisStatus& now = desk_.live.status().axes[a - 1];
         const QString when = since(now.since, now.since_code, now.since_channel);
         if (now.master) lines->push_back({axisName(a), axisName(now.master), word("follows it synchronously"), when});
-        if (now.added_master) lines->push_back({axisName(a), axisName(now.added_master), word("its way is added to the own one"), when});
+        if (now.added_master) lines->push_back({axisName(a), axisName(now.added_master), word("its travel is added to the axis' own"), when});
         if (const unsigned route = desk_.live.status().route[a - 1]; route && route != a) lines->push_back({axisName(a), axisName(route), word("moves its drive: the axes are exchanged"), when});
     }
     for (std::uint32_t s = 1; s <= machine.last_spindle; ++s) {
@@ -220,7 +220,7 @@ void Diagnosis::fillCounters() {
 }
 
 void Diagnosis::fillProcesses() {
-    table_->columns = {{word("Process"), 2}, {word("Number"), 1.2}, {word("State"), 2}};
+    table_->columns = {{word("Process"), 2}, {word("PID"), 1.2}, {word("State"), 2}};
     table_->rowUnits = 36;
     auto processes = std::make_shared<std::vector<Live::Process>>(desk_.live.processes());
     table_->rows = [processes] { return static_cast<int>(processes->size()); };

@@ -127,7 +127,7 @@ Parameters::Parameters(Desk& desk)
         if (page_ != Page::List) return;
         const QRectF box(head_->width() - px(460), px(6), px(452), head_->height() - px(10));
         w.field(box, search_, word("Search: number, name or meaning"), searching_, 1);
-        w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), QString::number(lines_.size()), lettering(15), t.dim, kRight);
+        w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), word("values: %1").arg(lines_.size()), lettering(15), t.dim, kRight);
     };
     head_->onTouched = [this](int) {
         desk_.ask({word("Search"), search_, [this](const QString& text) { find(text); }, {}});

@@ -286,7 +286,7 @@ void PresetterPage::composeResult(Writer& w) {
     w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("%1 %2     %3°").arg(word("Tip")).arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);
     y += px(24);
     w.sign(QRectF(px(12), y + px(2), px(18), px(18)), written_ ? Sign::Good : Sign::Note, written_ ? t.good : t.accent);
-    w.text(QRectF(px(36), y, wide - px(48), px(22)), written_ ? word("Entered") : word("Would be entered"), lettering(14.5, true), written_ ? t.good : t.accent);
+    w.text(QRectF(px(36), y, wide - px(48), px(22)), written_ ? word("It is entered") : word("Would be entered"), lettering(14.5, true), written_ ? t.good : t.accent);
     y += px(22);
     for (const auto& one : answer_.value("entries").toArray()) {
         const QJsonObject entry = one.toObject();

@@ -72,7 +72,7 @@ RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(d
         w.fill(QRectF(0, 0, note_->width(), note_->height()), t.card, px(8));
         w.sign(QRectF(px(14), px(14), px(24), px(24)), Sign::Note, t.accent);
         Item& item = w.text(QRectF(px(50), px(10), note_->width() - px(62), note_->height() - px(20)),
-                            word("Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first."),
+                            word("Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts."),
                             lettering(15.5), t.text, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;
     };

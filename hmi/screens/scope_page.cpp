@@ -371,7 +371,7 @@ void ScopePage::paintCircle(QPainter& p) {
     };
     const LengthUnit unit = desk_.live.unit(choice_.object[0] >= 1 && choice_.object[0] <= kMaxAxes ? desk_.live.config().axis(choice_.object[0]) : AxisConfig{});   // of the record
     const auto micrometres = [&](double shown) { return QString("%1 %2").arg(unit.held(shown) * 1000, 0, 'f', 1).arg(unitWord("µm")); };
-    row(word("Circularity"), micrometres(round_->error()), t.text);
+    row(word("Circularity error"), micrometres(round_->error()), t.text);
     row(word("Greatest, least deviation"), micrometres(round_->most) + QString::fromUtf8("  /  ") + micrometres(round_->least), t.text);
     row(word("Radius, commanded"), QString("%1 %2").arg(round_->radius, 0, 'f', 4).arg(unit.name()), t.text);
     row(word("One ring"), micrometres(greatest / 2), t.dim);

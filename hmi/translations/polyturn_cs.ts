@@ -221,12 +221,12 @@
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: pitch</source>
-        <translation>%1: stoupání</translation>
+        <translation>%1: chyba stoupání</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1: pitch, negative direction</source>
-        <translation>%1: stoupání, záporný směr</translation>
+        <translation>%1: chyba stoupání, záporný směr</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -301,12 +301,12 @@
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
-        <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. «Kontrola, čekání» prohlédne celý program.</translation>
+        <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. „Kontrola, čekání“ prohlédne celý program.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
-        <translation>Běží program: ručně se osy posouvají při zastavení, po «Odjet»</translation>
+        <translation>Běží program: ručně se osy posouvají při zastavení, po „Odjet“</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -341,7 +341,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Active alarms</source>
-        <translation>Aktivní</translation>
+        <translation>Aktivní alarmy</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -501,7 +501,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Automatic</source>
-        <translation>Automatika</translation>
+        <translation>Automatický</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -674,6 +674,11 @@
         <translation>Dno díry, není-li zadána hloubka</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts.</source>
+        <translation>Nejdřív odjeďte osami na volné místo! Dotkněte se dvakrát jednoho z těchto bloků (nebo Enter), nebo zadejte jeho číslo: program začne tam. „Restart“ k němu čte bez pohybu a přehraje všechna čekání. První start ukáže, co následuje; druhý to provede: nástroj, funkce, osy, pak obrábění.</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Zlomený</translation>
@@ -786,7 +791,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
-        <translation>Zvolte zálohu: «Co by se změnilo» ji porovná se strojem a nic zatím nemění.</translation>
+        <translation>Zvolte zálohu: „Co by se změnilo“ ji porovná se strojem a nic zatím nemění.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -839,9 +844,14 @@
         <translation>Kruhovitost</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Circularity error</source>
+        <translation>Odchylka kruhovitosti</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Clear</source>
-        <translation>Smazat</translation>
+        <translation>Smazat dráhy</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -861,7 +871,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Commanded</source>
-        <translation>Zadáno</translation>
+        <translation>Požadovaná</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -931,7 +941,7 @@
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
-        <translation>Oprava</translation>
+        <translation>Kompenzace</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -1251,7 +1261,7 @@
     <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
-        <translation>Nouzový stop</translation>
+        <translation>Nouzové zastavení</translation>
     </message>
     <message>
         <location filename="../widgets/text_entry.cpp"/>
@@ -1366,7 +1376,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Entered</source>
-        <translation>Zapsáno</translation>
+        <translation>Skutečné</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1381,7 +1391,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
-        <translation>Každá osa a vřeteno je samostatné: žádná vazba, záměna ani sledování.</translation>
+        <translation>Každá osa a vřeteno je samostatné: žádná vazba, výměna ani sledování.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -1636,7 +1646,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Follow. error</source>
-        <translation>Odchylka</translation>
+        <translation>Vlečná chyba</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -1886,12 +1896,17 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
-        <translation>Sleduje hlavní vřeteno</translation>
+        <translation>Protivřeteno sleduje hlavní vřeteno</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Nedal výsledek.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is entered</source>
+        <translation>Zapsáno</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -1931,12 +1946,12 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
-        <translation>Jeho sklíčidlo upne</translation>
+        <translation>Sklíčidlo protivřetena upne</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
-        <translation>Jeho sklíčidlo se otevře</translation>
+        <translation>Sklíčidlo protivřetena se otevře</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2031,7 +2046,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Lag</source>
-        <translation>Odchylka</translation>
+        <translation>Vl. chyba</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -2186,7 +2201,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
-        <translation>Malý moment saní</translation>
+        <translation>Snížený moment saní</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2251,7 +2266,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Longer</source>
-        <translation>Delší</translation>
+        <translation>Delší okno</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -2761,7 +2776,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
-        <translation>Jeden kroužek</translation>
+        <translation>Rozteč kroužků</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2861,7 +2876,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
-        <translation>Korekce rychlostí</translation>
+        <translation>Override</translation>
     </message>
     <message>
         <location filename="../screens/overview.hpp"/>
@@ -2882,6 +2897,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Vlastní místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PID</source>
+        <translation>PID</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2996,12 +3016,12 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Paths since these screens started; tips drawn as points</source>
-        <translation>Dráhy od startu obrazovek; špičky jako body</translation>
+        <translation>Dráhy nástrojů od spuštění obrazovky; špička jako bod</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Pattern menu</source>
-        <translation>Menu vzorů</translation>
+        <translation>Nabídka vzorů</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3071,17 +3091,17 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
-        <translation>Prosté S je protivřeteno</translation>
+        <translation>S bez čísla platí pro protivřeteno</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
-        <translation>Prosté S je hlavní vřeteno</translation>
+        <translation>S bez čísla platí pro hlavní vřeteno</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
-        <translation>Prosté S v L%1 teď znamená S%2: M%3 by platilo pro jeho sklíčidlo.</translation>
+        <translation>S bez čísla v L%1 teď znamená S%2: M%3 by platilo pro jeho sklíčidlo.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3259,9 +3279,14 @@
         <translation>Oblast %1 L%2</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/job_views.cpp"/>
         <source>Rapid</source>
-        <translation>Rychlop.</translation>
+        <translation>Rychloposuv</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Rapid %1 %</source>
+        <translation>Rychlop. %1 %</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -3656,12 +3681,12 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Several solutions: touch the one that is meant, or «Next solution».</source>
-        <translation>Více řešení: dotkněte se správného, nebo «Další řešení».</translation>
+        <translation>Více řešení: dotkněte se správného, nebo „Další řešení“.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Shorter</source>
-        <translation>Kratší</translation>
+        <translation>Kratší okno</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -3701,27 +3726,27 @@
     <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Single block</source>
-        <translation>Po bloku</translation>
+        <translation>Blok po bloku</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block %1</source>
-        <translation>Po bloku %1</translation>
+        <translation>Blok po bloku %1</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
-        <translation>Po bloku: vše</translation>
+        <translation>Blok po bloku: vše</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block group %1</source>
-        <translation>Po bloku: skupina %1</translation>
+        <translation>Blok po bloku: skupina %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Single block: start does the next one</source>
-        <translation>Po bloku: start provede další</translation>
+        <translation>Blok po bloku: start provede další</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -4121,7 +4146,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
-        <translation>Protivřeteno je volné</translation>
+        <translation>Synchronizace protivřetena zrušena</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4186,7 +4211,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
-        <translation>Paleta se mění i s programem. «Vyměnit»: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
+        <translation>Paleta se mění i s programem. „Vyměnit“: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4251,7 +4276,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
-        <translation>Osciloskop zaznamenává jiné signály: «Osy L%1» zvolí osy kružnice</translation>
+        <translation>Osciloskop zaznamenává jiné signály: „Osy L%1“ zvolí osy kružnice</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -4286,12 +4311,12 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>There are no dimensions yet: «New dimension».</source>
-        <translation>Rozměry zatím nejsou: «Nový rozměr».</translation>
+        <translation>Rozměry zatím nejsou: „Nový rozměr“.</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>There are no tools yet: «New tool» on the page of tool data.</source>
-        <translation>Nástroje ještě nejsou: «Nový nástroj» na stránce dat.</translation>
+        <translation>Nástroje ještě nejsou: „Nový nástroj“ na stránce dat.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4591,7 +4616,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tool setter</source>
-        <translation>Sonda nástroje</translation>
+        <translation>Měření nástroje</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4612,11 +4637,6 @@
         <location filename="../screens/overview.cpp"/>
         <source>Touch again or Enter: enlarged</source>
         <translation>Další dotek nebo Enter: zvětšit</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Dotkněte se dvakrát jednoho z těchto bloků, stiskněte na něm Enter, nebo zadejte jeho číslo: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osami nejdřív odjeďte na volné místo.</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4646,7 +4666,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Travel of L%1</source>
-        <translation>Pojezd L%1</translation>
+        <translation>Rozsah pojezdu L%1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4701,7 +4721,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number or touch it, then Input.</source>
-        <translation>Napište číslo nebo se ho dotkněte, pak «Vstup».</translation>
+        <translation>Napište číslo nebo se ho dotkněte, pak „Vstup“.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4726,7 +4746,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
-        <translation>USB a síťová místa se objeví, když jsou připojena. «Uložit místo» přidá zobrazenou složku; místa dílny jsou v /etc/polyturn/places: NÁZEV=/SLOŽKA.</translation>
+        <translation>USB a síťová místa se objeví, když jsou připojena. „Uložit místo“ přidá zobrazenou složku; místa dílny jsou v /etc/polyturn/places: NÁZEV=/SLOŽKA.</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -4891,7 +4911,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
-        <translation>Co bylo hlášeno dříve, je v «Historii», proč stroj stál, v «Záznamu zastavení».</translation>
+        <translation>Co bylo hlášeno dříve, je v „Historii“, proč stroj stál, v „Záznamu zastavení“.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4901,7 +4921,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Wheel, tool, transfer</source>
-        <translation>Kolečko, nástroj</translation>
+        <translation>Kolečko, nástroj, předání</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4986,7 +5006,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Workpiece setter</source>
-        <translation>Sonda obrobku</translation>
+        <translation>Měření obrobku</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5146,12 +5166,12 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
-        <translation>zvolte automatiku nebo MDI</translation>
+        <translation>zvolte automatický nebo MDI</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck holds</source>
-        <translation>sklíčidlo drží</translation>
+        <translation>sklíčidlo upnuto</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -5256,17 +5276,17 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>enter one, or choose auto</source>
-        <translation>zadejte jej, nebo zvolte automatiku</translation>
+        <translation>zadejte jej, nebo zvolte automatický</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
-        <translation>zadáno</translation>
+        <translation>souhlasí</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered: %1</source>
-        <translation>zadáno: %1</translation>
+        <translation>skutečné: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5301,7 +5321,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>following error</source>
-        <translation>regulační odchylka</translation>
+        <translation>vlečná chyba</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -5390,7 +5410,7 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>its way is added to the own one</source>
+        <source>its travel is added to the axis' own</source>
         <translation>její dráha se přičítá</translation>
     </message>
     <message>
@@ -5956,12 +5976,12 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too large</source>
-        <translation>velký</translation>
+        <translation>nad tolerancí</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too small</source>
-        <translation>malý</translation>
+        <translation>pod tolerancí</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -6002,6 +6022,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>použití</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>values: %1</source>
+        <translation>hodnot: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -6066,12 +6091,12 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
-        <translation>«Označit» zvolí, co kopírovat nebo porovnat</translation>
+        <translation>„Označit“ zvolí, co kopírovat nebo porovnat</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
-        <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibrujte kolíkem.</translation>
+        <translation>„Změřit“ najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibrujte kolíkem.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

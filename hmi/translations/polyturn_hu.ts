@@ -16,7 +16,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>  of it waiting</source>
-        <translation>  ebből várakozás</translation>
+        <translation>  ebből bevárás</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -26,7 +26,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>%1 ago</source>
-        <translation>%1 óta</translation>
+        <translation>%1 ideje</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -111,7 +111,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 is protected: a login of a higher level may change it</source>
-        <translation>%1 védett: magasabb szintű belépéssel módosítható</translation>
+        <translation>%1 védett: magasabb szintű bejelentkezéssel módosítható</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -271,7 +271,7 @@
     <message>
         <location filename="../text/tongues.cpp"/>
         <source>1/min</source>
-        <translation>1/min</translation>
+        <translation>ford/min</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -301,12 +301,12 @@
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
-        <translation>Egy hosszú program része: %1–%2. sor, a program %3 %-a. Az «Ellenőrzés, várakozások» az egészet átnézi.</translation>
+        <translation>Egy hosszú program része: %1–%2. sor, a program %3 %-a. Az „Ellenőrzés, bevárások” az egészet átnézi.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
-        <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, az «Elhagyás» után</translation>
+        <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, az „Elállás” után</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -421,7 +421,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
-        <translation>Nullpontok együtt</translation>
+        <translation>Eltolások összege</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -674,6 +674,11 @@
         <translation>Furat alja, ha nincs mélység megadva</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts.</source>
+        <translation>Előbb vigye a tengelyeket szabad helyre! Érintse meg kétszer az egyik mondatot (vagy Enter), vagy írja be a mondatszámot: a program onnan folytatódik. Az „Újraindítás” mozgás nélkül végigolvassa a programot eddig a mondatig, a bevárásokkal együtt. Az első start megmutatja, mi következik; a második végrehajtja: szerszám, funkciók, tengelyek, majd forgácsolás.</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Törött</translation>
@@ -781,12 +786,12 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Check, waits</source>
-        <translation>Ellenőrzés, várakozások</translation>
+        <translation>Ellenőrzés, bevárások</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
-        <translation>Válasszon mentést: a «Mi változna» összeveti a géppel, és még semmit sem változtat.</translation>
+        <translation>Válasszon mentést: a „Mi változna” összeveti a géppel, és még semmit sem változtat.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -801,7 +806,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Choose a job or a program</source>
-        <translation>Válasszon munkát vagy programot</translation>
+        <translation>Válasszon megbízást vagy programot</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -811,7 +816,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Choose a signal; type a part of its name</source>
-        <translation>Válasszon jelet; írja be a neve részét</translation>
+        <translation>Válasszon jelet; írja be a név egy részét</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -836,12 +841,17 @@
     <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
-        <translation>Köralak</translation>
+        <translation>Köralakvizsgálat</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Circularity error</source>
+        <translation>Köralakhiba</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Clear</source>
-        <translation>Törlés</translation>
+        <translation>Pályák törlése</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -861,7 +871,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Commanded</source>
-        <translation>Parancs</translation>
+        <translation>Előírt</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -921,7 +931,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Copy, delete ...</source>
-        <translation>Másolás, törlés ...</translation>
+        <translation>Másolás, törlés...</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -931,7 +941,7 @@
     <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
-        <translation>Korrekció</translation>
+        <translation>Kompenzáció</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -966,12 +976,12 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
-        <translation>Ciklus utolsó, átlag</translation>
+        <translation>Utolsó ciklus, átlag</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle now</source>
-        <translation>Ciklus most</translation>
+        <translation>Aktuális ciklus</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -1106,7 +1116,7 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Diameter of the pin</source>
-        <translation>A csap átmérője</translation>
+        <translation>Csap átmérője</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1211,7 +1221,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Dwell</source>
-        <translation>Várakozási idő</translation>
+        <translation>Kivárás</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1251,7 +1261,7 @@
     <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
-        <translation>Vészstop</translation>
+        <translation>Vészleállítás</translation>
     </message>
     <message>
         <location filename="../widgets/text_entry.cpp"/>
@@ -1346,12 +1356,12 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
-        <translation>Az Enter bejelentkeztet. Az új felhasználó ezt a nevet, jelszót és szintet kapja: %1.</translation>
+        <translation>Enter: bejelentkezés. Az új felhasználó e névvel és jelszóval, „%1” szinttel jön létre.</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Enter the job's zeros</source>
-        <translation>A munka nullpontjai</translation>
+        <translation>A megbízás nullpontjai</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1366,7 +1376,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Entered</source>
-        <translation>Beírva</translation>
+        <translation>Tényleges</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1796,7 +1806,7 @@
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Hold all</source>
-        <translation>Állj mind</translation>
+        <translation>Állj: mind</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
@@ -1821,7 +1831,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>Ignore waits %1</source>
-        <translation>Várakozás nélkül %1</translation>
+        <translation>Bevárás nélkül %1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1886,12 +1896,17 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
-        <translation>Követi a főorsót</translation>
+        <translation>Az ellenorsó követi a főorsót</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Nem adott eredményt.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is entered</source>
+        <translation>Beírva</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -1931,12 +1946,12 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
-        <translation>A tokmánya szorít</translation>
+        <translation>Az ellenorsó tokmánya szorít</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
-        <translation>A tokmánya nyit</translation>
+        <translation>Az ellenorsó tokmánya nyit</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2006,7 +2021,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
-        <translation>Fajta: 500 nagyoló, 510 simító, 200 fúró ...</translation>
+        <translation>Fajta: 500 nagyoló, 510 simító, 200 fúró...</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2016,7 +2031,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
-        <translation>A ciklusidőből (%3) L%1 ennyit határoz meg: %2; ami ott rövidül, a ciklust is rövidíti.</translation>
+        <translation>Ciklusidő: %3, ebből %2 az L%1 csatornán múlik; ami ott rövidül, a ciklust is rövidíti.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -2041,7 +2056,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
-        <translation>Nagyobb</translation>
+        <translation>Nagyítás</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -2111,7 +2126,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Leave the hold %1</source>
-        <translation>Elhagyás %1</translation>
+        <translation>Elállás %1</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2186,7 +2201,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
-        <translation>Kis nyomaték a szánnak</translation>
+        <translation>Csökkentett nyomaték a szánon</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2226,7 +2241,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Log in</source>
-        <translation>Belépés</translation>
+        <translation>Bejelentkezés</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2241,7 +2256,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Log out</source>
-        <translation>Kilépés</translation>
+        <translation>Kijelentkezés</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2251,12 +2266,12 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Longer</source>
-        <translation>Hosszabb</translation>
+        <translation>Hosszabb ablak</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Longest wait: L%1 stands %2 s at %3 (line %4).</source>
-        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll itt: %3 (%4. sor).</translation>
+        <translation>Leghosszabb bevárás: L%1, %3 (%4. sor), %2 s.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2386,7 +2401,7 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Measures ...</source>
-        <translation>Mér ...</translation>
+        <translation>Mér...</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -2406,7 +2421,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Mounted</source>
-        <translation>Befogva</translation>
+        <translation>Behelyezve</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2566,7 +2581,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
-        <translation>Egyik munka sem adja meg a nyersdarabot</translation>
+        <translation>Egyik megbízás sem adja meg a nyersdarabot</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -2761,7 +2776,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
-        <translation>Egy gyűrű</translation>
+        <translation>Gyűrűk távolsága</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -2816,7 +2831,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Order among sisters</source>
-        <translation>Sorrend a testvérek közt</translation>
+        <translation>Sorrend a testvérszerszámok között</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -2826,7 +2841,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Other edges than the job's hold: %1</source>
-        <translation>Nem a munka élei érvényesek: %1</translation>
+        <translation>Nem a megbízás élei érvényesek: %1</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -2846,12 +2861,12 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Other offsets than the job's hold: %1</source>
-        <translation>Nem a munka korrekciói érvényesek: %1</translation>
+        <translation>Nem a megbízás korrekciói érvényesek: %1</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Other zeros than the job's hold: %1</source>
-        <translation>Nem a munka nullpontjai érvényesek: %1</translation>
+        <translation>Nem a megbízás nullpontjai érvényesek: %1</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2861,7 +2876,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
-        <translation>Override-ok</translation>
+        <translation>Override</translation>
     </message>
     <message>
         <location filename="../screens/overview.hpp"/>
@@ -2882,6 +2897,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Saját hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PID</source>
+        <translation>PID</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2951,7 +2971,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Parts</source>
-        <translation>Darab</translation>
+        <translation>Darabszám</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -2961,27 +2981,27 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
-        <translation>Összes darab</translation>
+        <translation>Összes darabszám</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Parts left</source>
-        <translation>Darab hátra</translation>
+        <translation>Hátralévő darab</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts of this job</source>
-        <translation>A munka darabjai</translation>
+        <translation>A megbízás darabszáma</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts since the start</source>
-        <translation>Darab az indítás óta</translation>
+        <translation>Darabszám indítás óta</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts wanted</source>
-        <translation>Kívánt darab</translation>
+        <translation>Előírt darabszám</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2996,12 +3016,12 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Paths since these screens started; tips drawn as points</source>
-        <translation>Pályák a képernyők indítása óta; csúcsok pontként</translation>
+        <translation>Szerszámpályák a képernyők indítása óta; a csúcs pont</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Pattern menu</source>
-        <translation>Mintamenü</translation>
+        <translation>Mintaábra-menü</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3071,17 +3091,17 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
-        <translation>Szám nélküli S: az ellenorsó</translation>
+        <translation>A szám nélküli S az ellenorsóé</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
-        <translation>Szám nélküli S: a főorsó</translation>
+        <translation>A szám nélküli S a főorsóé</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
-        <translation>L%1 szám nélküli S szava most S%2: M%3 annak tokmányára hatna.</translation>
+        <translation>L%1: a szám nélküli S most az S%2 orsóé; az M%3 annak tokmányára hatna.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3121,7 +3141,7 @@
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Presetter</source>
-        <translation>Bemérő</translation>
+        <translation>Bemérőkészülék</translation>
     </message>
     <message>
         <location filename="../screens/compare_page.cpp"/>
@@ -3201,7 +3221,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Programs and jobs</source>
-        <translation>Programok és munkák</translation>
+        <translation>Programok és megbízások</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -3259,9 +3279,14 @@
         <translation>L%2 %1. tartománya</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/job_views.cpp"/>
         <source>Rapid</source>
-        <translation>Gyors</translation>
+        <translation>Gyorsjárat</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Rapid %1 %</source>
+        <translation>Gyors %1 %</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -3286,7 +3311,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Records</source>
-        <translation>Rögzít</translation>
+        <translation>Rögzítés folyamatban</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -3306,7 +3331,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
-        <translation>Mind referencia</translation>
+        <translation>Összes tengely referencia</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3406,7 +3431,7 @@
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Reset all</source>
-        <translation>Reset mind</translation>
+        <translation>Reset: mind</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
@@ -3636,7 +3661,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Select job</source>
-        <translation>Munka kiválasztása</translation>
+        <translation>Megbízás kiválasztása</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3656,12 +3681,12 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Several solutions: touch the one that is meant, or «Next solution».</source>
-        <translation>Több megoldás: érintse meg a kívántat, vagy «Másik megoldás».</translation>
+        <translation>Több megoldás: érintse meg a kívántat, vagy „Másik megoldás”.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Shorter</source>
-        <translation>Rövidebb</translation>
+        <translation>Rövidebb ablak</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -3711,7 +3736,7 @@
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
-        <translation>Mondatonként mind</translation>
+        <translation>Mondatonként: mind</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
@@ -3751,7 +3776,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Smaller</source>
-        <translation>Kisebb</translation>
+        <translation>Kicsinyítés</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -3766,7 +3791,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Solid outline: monitored; dashed: drawn only</source>
-        <translation>Folytonos körvonal: védett; szaggatott: csak rajz</translation>
+        <translation>Folytonos körvonal: ütközésre figyelt; szaggatott: csak rajz</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -3836,7 +3861,7 @@
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Start all</source>
-        <translation>Start mind</translation>
+        <translation>Start: mind</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -3941,7 +3966,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Stop record</source>
-        <translation>Rögzítés állj</translation>
+        <translation>Rögzítés leállítása</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4121,27 +4146,27 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
-        <translation>Az ellenorsó szabad</translation>
+        <translation>Az ellenorsó szinkronja oldva</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>The file is being read ...</source>
-        <translation>Fájl olvasása ...</translation>
+        <translation>Fájl olvasása...</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>The folder is being read ...</source>
-        <translation>Mappa olvasása ...</translation>
+        <translation>Mappa olvasása...</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being simulated</source>
-        <translation>A munka szimulációja fut</translation>
+        <translation>A megbízás szimulációja fut</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>The job is for another machine: %1</source>
-        <translation>A munka másik géphez való: %1</translation>
+        <translation>A megbízás másik géphez való: %1</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -4186,12 +4211,12 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
-        <translation>A paletta a programjával együtt cserélődik. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
+        <translation>A paletta a programjával együtt cserélődik. „Csere”: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
-        <translation>A paletták lekérdezése ...</translation>
+        <translation>A paletták lekérdezése...</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -4236,7 +4261,7 @@
     <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>The programs are being compared ...</source>
-        <translation>Összehasonlítás ...</translation>
+        <translation>Összehasonlítás...</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -4251,7 +4276,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
-        <translation>Az oszcilloszkóp más jeleket rögzít: az «L%1 tengelyei» a kör tengelyeit választja</translation>
+        <translation>Az oszcilloszkóp más jeleket rögzít: az „L%1 tengelyei” a kör tengelyeit választja</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -4281,17 +4306,17 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
-        <translation>Utána</translation>
+        <translation>Visszaállítás után</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>There are no dimensions yet: «New dimension».</source>
-        <translation>Még nincs méret: «Új méret».</translation>
+        <translation>Még nincs méret: „Új méret”.</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>There are no tools yet: «New tool» on the page of tool data.</source>
-        <translation>Még nincs szerszám: «Új szerszám» az adatok lapján.</translation>
+        <translation>Még nincs szerszám: „Új szerszám” az adatok lapján.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4396,7 +4421,7 @@
     <message>
         <location filename="../screens/settings_page.cpp"/>
         <source>This needs the level of a setter: log in</source>
-        <translation>Beállítói szint kell: lépjen be</translation>
+        <translation>Beállítói szint kell: jelentkezzen be</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4461,7 +4486,7 @@
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Time before a key repeats</source>
-        <translation>Ismétlés késleltetése</translation>
+        <translation>Billentyűismétlés késleltetése</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4471,7 +4496,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Time left</source>
-        <translation>Idő hátra</translation>
+        <translation>Hátralévő idő</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4591,7 +4616,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tool setter</source>
-        <translation>Szerszámbemérő</translation>
+        <translation>Szerszám bemérése</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4614,11 +4639,6 @@
         <translation>Még egy érintés vagy Enter: nagyítás</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Érintse kétszer az egyik mondatot, nyomjon rajta Entert, vagy írja be a számát: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
-    </message>
-    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Érintse meg még egyszer a bitet: átvált</translation>
@@ -4636,22 +4656,22 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>Az érintés és a billentyűk nem hatnak. A gép tovább dolgozik. Magától felold %1 s múlva.</translation>
+        <translation>A képernyő és a billentyűk nem reagálnak, a gép dolgozik. %1 s múlva magától feloldódik.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trace off</source>
-        <translation>Jel ki</translation>
+        <translation>Jel kikapcsolása</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Travel of L%1</source>
-        <translation>L%1 lökete</translation>
+        <translation>L%1 mozgástartománya</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger downwards</source>
-        <translation>Trigger lefelé</translation>
+        <translation>Lefutó él</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4661,7 +4681,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger upwards</source>
-        <translation>Trigger felfelé</translation>
+        <translation>Felfutó él</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4701,7 +4721,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number or touch it, then Input.</source>
-        <translation>Írja be vagy érintse a számot, majd «Bevitel».</translation>
+        <translation>Írja be vagy érintse a számot, majd „Bevitel”.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -4711,7 +4731,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type number: the T that calls it</source>
-        <translation>Típusszám: az őt hívó T</translation>
+        <translation>Típusszám (T-vel ezt hívják)</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4726,7 +4746,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
-        <translation>Az USB és a hálózati helyek megjelennek, ha elérhetők. A «Hely mentése» a látható mappát veszi fel; az üzem helyei: /etc/polyturn/places, NÉV=/MAPPA.</translation>
+        <translation>Az USB és a hálózati helyek megjelennek, ha elérhetők. A „Hely mentése” a látható mappát veszi fel; az üzem helyei: /etc/polyturn/places, NÉV=/MAPPA.</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -4756,7 +4776,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
-        <translation>Fel</translation>
+        <translation>Egy szinttel feljebb</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -4821,7 +4841,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1 for %2, %3 so far</source>
-        <translation>%1: %2 csatornára vár, %3 óta</translation>
+        <translation>%1: az %2 csatornára vár, %3 ideje</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4841,12 +4861,12 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Waits ignored</source>
-        <translation>Várakozások nélkül</translation>
+        <translation>Bevárások nélkül</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Wanted</source>
-        <translation>Kívánt</translation>
+        <translation>Előírt</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -4881,7 +4901,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
-        <translation>Mi</translation>
+        <translation>Megnevezés</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -4891,7 +4911,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
-        <translation>A korábbiak az «Előzmények», az állások okai az «Állásnapló» lapon vannak.</translation>
+        <translation>A korábbiak az „Előzmények”, az állások okai az „Állásnapló” lapon vannak.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4901,7 +4921,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Wheel, tool, transfer</source>
-        <translation>Kézikerék, szerszám</translation>
+        <translation>Kézikerék, szerszám, átadás</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4966,7 +4986,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
-        <translation>Eltolás</translation>
+        <translation>Munkadarab-eltolás</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4986,7 +5006,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Workpiece setter</source>
-        <translation>Munkadarab-mérő</translation>
+        <translation>Munkadarab bemérése</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5026,12 +5046,12 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>X of its end, radius</source>
-        <translation>A végének X-e, sugár</translation>
+        <translation>Csapvég X (sugár)</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Z of its end</source>
-        <translation>A végének Z-je</translation>
+        <translation>Csapvég Z</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -5041,7 +5061,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Zero here</source>
-        <translation>Nulla itt</translation>
+        <translation>Nullázás itt</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -5151,7 +5171,7 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck holds</source>
-        <translation>tokmány tart</translation>
+        <translation>tokmány zárva</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -5221,7 +5241,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>deg/rev</source>
-        <translation>°/ford.</translation>
+        <translation>°/ford</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5261,12 +5281,12 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered</source>
-        <translation>beírva</translation>
+        <translation>egyezik</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>entered: %1</source>
-        <translation>beírva: %1</translation>
+        <translation>tényleges: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5366,7 +5386,7 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>inch/rev</source>
-        <translation>hüvelyk/ford.</translation>
+        <translation>hüvelyk/ford</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5390,8 +5410,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>its way is added to the own one</source>
-        <translation>az útja hozzáadódik</translation>
+        <source>its travel is added to the axis' own</source>
+        <translation>az útja hozzáadódik a sajáthoz</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5416,7 +5436,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
-        <translation>a leghosszabb %1 alatt; egy ütem: %2</translation>
+        <translation>leghosszabb: %1 alatt; megengedett: %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5436,7 +5456,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>metres of cutting</source>
-        <translation>forgácsolási métert</translation>
+        <translation>forgácsolási méter</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5451,7 +5471,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>minutes of cutting</source>
-        <translation>forgácsolási percet</translation>
+        <translation>forgácsolási perc</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5506,7 +5526,7 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>mounted</source>
-        <translation>befogva</translation>
+        <translation>behelyezve</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -5606,7 +5626,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>nothing</source>
-        <translation>semmit</translation>
+        <translation>nincs</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5671,7 +5691,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
-        <translation>darabot</translation>
+        <translation>darab</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5696,7 +5716,7 @@
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>press reference all</source>
-        <translation>nyomja meg: mind referencia</translation>
+        <translation>nyomja meg: összes tengely referencia</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5706,7 +5726,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>press return</source>
-        <translation>nyomja meg: visszatérés</translation>
+        <translation>nyomja meg: vissza</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5766,12 +5786,12 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
-        <translation>ford.</translation>
+        <translation>ford</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev/s2</source>
-        <translation>ford./s²</translation>
+        <translation>ford/s²</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5786,12 +5806,12 @@
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rpm</source>
-        <translation>1/min</translation>
+        <translation>ford/min</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rpm/s</source>
-        <translation>1/min/s</translation>
+        <translation>ford/min/s</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5841,17 +5861,17 @@
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>takes effect after a restart of the controller</source>
-        <translation>a vezérlő újraindítása után hat</translation>
+        <translation>a vezérlő újraindítása után érvényes</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>takes effect at once</source>
-        <translation>azonnal hat</translation>
+        <translation>azonnal érvényes</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>takes effect at the next preprocessing stop</source>
-        <translation>a következő előfeldolgozási megállásnál hat</translation>
+        <translation>a következő előfeldolgozási megállás után érvényes</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -6004,6 +6024,11 @@
         <translation>használat</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>values: %1</source>
+        <translation>érték: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>variable no.</source>
         <translation>változószám</translation>
@@ -6046,7 +6071,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>wear</source>
-        <translation>kopást</translation>
+        <translation>kopás</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -6066,12 +6091,12 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
-        <translation>A «Kijelölés» választja ki a másolandót vagy hasonlítandót</translation>
+        <translation>A „Kijelölés” választja ki a másolandót vagy összehasonlítandót</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
-        <translation>A «Mérés» megkeresi a csúcsot, és megmutatja, mi kerülne be. Előbb kalibrálja a kamerát a mérőcsappal.</translation>
+        <translation>A „Mérés” megkeresi a csúcsot, és megmutatja, mi kerülne be. Előbb kalibrálja a kamerát a mérőcsappal.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

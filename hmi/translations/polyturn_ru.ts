@@ -674,6 +674,11 @@
         <translation>Дно отверстия, если глубина не задана</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts.</source>
+        <translation>Сначала отведите оси на свободное место! Коснитесь дважды одного из этих кадров (или Enter) либо введите номер: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Первый пуск покажет, что будет; второй выполнит: инструмент, функции, оси, затем резание.</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Сломан</translation>
@@ -837,6 +842,11 @@
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Круглость</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Circularity error</source>
+        <translation>Отклонение круглости</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1894,6 +1904,11 @@
         <translation>Результата нет.</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is entered</source>
+        <translation>Введено</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>It is gone for good: press again</source>
         <translation>Удалится навсегда: ещё раз</translation>
@@ -2885,6 +2900,11 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PID</source>
+        <translation>PID</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>PLC</source>
         <translation>ПЛК</translation>
     </message>
@@ -3259,9 +3279,14 @@
         <translation>Зона %1 L%2</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/job_views.cpp"/>
         <source>Rapid</source>
-        <translation>Быстро</translation>
+        <translation>Ускор. ход</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Rapid %1 %</source>
+        <translation>Быстро %1 %</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4614,11 +4639,6 @@
         <translation>Ещё касание или Enter: крупно</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Коснитесь дважды одного из этих кадров, нажмите на нём Enter или введите номер: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
-    </message>
-    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Коснитесь бита ещё раз: он переключится</translation>
@@ -5390,7 +5410,7 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>its way is added to the own one</source>
+        <source>its travel is added to the axis' own</source>
         <translation>её путь добавляется к своему</translation>
     </message>
     <message>
@@ -6002,6 +6022,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>вызовов</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>values: %1</source>
+        <translation>значений: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
