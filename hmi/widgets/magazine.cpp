@@ -169,9 +169,9 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
     w.fill(box, here ? t.mark : tool ? t.raised : t.window, round);
     w.frame(box, here && focused ? t.accent : tool ? state.colour : t.edge, round, here ? px(4) : tool ? px(2) : 1);
     const double line = side * 0.2, inner = side * (spot.round ? 0.74 : 0.9), left = box.center().x() - inner / 2;
-    const bool full = readable(side), across = !full && named(side), small = !full && (!across || !tool);   // across: number, name, sign beneath each other
+    const bool full = readable(side), across = !full && named(side), small = !full && !across;   // across: number, name, sign beneath each other
     const double number = std::max(kLeastLetters, side * (small ? 0.3 : across ? 0.2 : 0.16)) / panelScale();
-    w.text(QRectF(box.left(), box.top() + side * 0.05, side, across && !small ? side * 0.29 : std::max(line * 1.1, number * panelScale() * 1.25)), QString::number(place.pot), lettering(number, true), works ? t.good : t.dim, Qt::AlignCenter);
+    w.text(QRectF(box.left(), box.top() + side * 0.05, side, across ? side * 0.29 : std::max(line * 1.1, number * panelScale() * 1.25)), QString::number(place.pot), lettering(number, true), works ? t.good : t.dim, Qt::AlignCenter);
     if (works && full) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(kLeastLetters, side * 0.13) / panelScale(), true), t.good, Qt::AlignCenter);
     if (locked) w.sign(QRectF(box.center().x() - side * 0.12, box.center().y() - side * (across && tool ? -0.12 : 0.12), side * 0.24, side * 0.24), Sign::Lock, t.bad);
     if (!tool) return;
