@@ -1,10 +1,12 @@
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/text/dates.hpp"
+#include "hmi/text/search.hpp"
 
 #include <QBuffer>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,26 @@ StoreOf storesOf(const Live& live) {
 
 }  // namespace
 
+bool alikeNames(const QString& wanted, const QString& mounted) {
+    static const QRegularExpression kWords("\\p{L}{3,}"), kNumbers("\\d+(?:[.,]\\d+)?");
+    const auto all = [](const QString& text, const QRegularExpression& what) {
+        QStringList out;
+        for (auto found = what.globalMatch(text); found.hasNext();) out << found.next().captured().replace(',', '.');
+        return out;
+    };
+    const auto stem = [](const QString& a, const QString& b) {
+        const auto letters = std::min<qsizetype>({a.size(), b.size(), 4});
+        return a.left(letters) == b.left(letters) && (letters == 4 || a.size() == b.size());
+    };
+    const QString one = withoutAccents(wanted).toLower(), other = withoutAccents(mounted).toLower();
+    const QStringList numbers = all(one, kNumbers), others = all(other, kNumbers);
+    if (!numbers.isEmpty() && !others.isEmpty() && numbers.first() != others.first()) return false;
+    const QStringList words = all(other, kWords);
+    for (const QString& a : all(one, kWords))
+        if (std::any_of(words.begin(), words.end(), [&](const QString& b) { return stem(a, b); })) return true;
+    return false;
+}
+
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job) {
     std::vector<SheetTool> out;
     for (const text::JobTool& wanted : job.tools) {
@@ -33,7 +55,7 @@ std::vector<SheetTool> compareTools(const Live& live, const text::Job& job) {
         const ToolPlace* place = magazine ? placeOf(live, magazine, static_cast<std::int32_t>(one.station)) : nullptr;
         if (const ToolRow* tool = place ? toolOf(live, place->tool) : nullptr) {
             one.tool = place->tool, one.mounted = toolName(*tool, place->tool), one.state = toolWords(*tool);
-            one.match = one.mounted.compare(one.wanted, Qt::CaseInsensitive) == 0 ? SheetTool::Match::Same : SheetTool::Match::Other;
+            one.match = one.mounted.compare(one.wanted, Qt::CaseInsensitive) == 0 ? SheetTool::Match::Same : alikeNames(one.wanted, one.mounted) ? SheetTool::Match::Alike : SheetTool::Match::Other;
         } else if (entered) {
             one.match = SheetTool::Match::Missing;
         }
@@ -45,7 +67,8 @@ std::vector<SheetTool> compareTools(const Live& live, const text::Job& job) {
 QString matchText(const SheetTool& tool) {
     switch (tool.match) {
         case SheetTool::Match::Same: return word("mounted");
-        case SheetTool::Match::Other: return tool.mounted;
+        case SheetTool::Match::Alike: return word("other name: %1").arg(tool.mounted);
+        case SheetTool::Match::Other: return word("another tool: %1").arg(tool.mounted);
         case SheetTool::Match::Missing: return word("the place is empty");
         case SheetTool::Match::Unknown: break;
     }
@@ -131,7 +154,7 @@ QString offsetText(const Live& live, const JobOffset& offset, OffsetSide side, O
         if (one.wear != (part == OffsetPart::Wear) || (one.same() && (!all || (one.wear && one.wanted == 0)))) continue;
         const double value = side == OffsetSide::Wanted ? one.wanted : one.entered;
         if (std::isnan(value)) return word("the machine does not have it");
-        out << fromView(one.name) + " " + (one.name == "T" ? QString::number(value, 'f', 0) : live.unit(offset.channel).text(value, 3));
+        out << (one.name == "T" ? word("Tip") : fromView(one.name)) + " " + (one.name == "T" ? QString::number(value, 'f', 0) : live.unit(offset.channel).text(value, 3));
     }
     return out.join("  ");
 }

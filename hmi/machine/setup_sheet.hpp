@@ -8,12 +8,14 @@
 namespace polyturn::hmi {
 
 struct SheetTool {
-    enum class Match : std::uint8_t { Unknown, Same, Other, Missing } match = Match::Unknown;   // Unknown: nothing is entered for this turret
+    enum class Match : std::uint8_t { Unknown, Same, Alike, Other, Missing } match = Match::Unknown;   // Unknown: nothing is entered for this turret
     unsigned channel = 0, station = 0;
     QString wanted, mounted;
     std::int32_t tool = 0;             // data number of what is mounted
     StateWords state{};                // of it
 };
+// People write the same tool in more than one way: «roughing 80°», ROUGH_80. The same stem of a word, and no other number.
+bool alikeNames(const QString& wanted, const QString& mounted);
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job);
 QString matchText(const SheetTool& tool);
 // A job as its files have it now. Reading them may take as long as a network takes: by a worker.

@@ -80,7 +80,7 @@ QString placeText(const Live& live, std::int32_t magazine, std::int32_t pot) {
     const auto kind = place ? static_cast<PlaceKind>(place->kind) : PlaceKind::Chain;
     if (kind == PlaceKind::Spindle) return QString("S%1").arg(magazine / 10);
     if (kind == PlaceKind::Arm) return word("arm S%1").arg(magazine / 10);
-    return QString("%1 / %2").arg(magazine).arg(pot);
+    return QString("M%1 / %2").arg(magazine).arg(pot);   // as the magazines are named above the picture: no fraction
 }
 
 QString kindText(std::int32_t kind) {

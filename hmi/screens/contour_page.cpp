@@ -363,7 +363,7 @@ void ContourPage::addKeys(std::vector<SoftKey>& keys) {
     keys.push_back({word("Add a line"), [this] { add(Kind::Line); }, Sign::Right});
     keys.push_back({word("Add an arc G2"), [this] { add(Kind::ArcCw); }, Sign::Right});
     keys.push_back({word("Add an arc G3"), [this] { add(Kind::ArcCcw); }, Sign::Right});
-    keys.push_back({word("Delete the element"), [this] { remove(); }, Sign::None, elements_->row() > 0});
+    keys.push_back({word("Delete the element"), [this] { remove(); }, Sign::Bin, elements_->row() > 0});
     keys.push_back({word("Empty the field"), [this] { input(std::nullopt); }, Sign::None, datum() && value(*datum()).has_value() && elements_->row() > 0});
     keys.push_back({word("Next solution"), next, Sign::Note, !solved_.choices.empty()});
     keys.push_back({word("Write into the program"), [this] { write(); }, Sign::Good, solved_.complete() && !now_.contour.elements.empty()});

@@ -162,13 +162,13 @@ void Diagnosis::fillVariables() {
     for (std::size_t i = 0; i < std::min<std::size_t>(list.count, list.rows.size()); ++i) {
         const NamedValue& row = list.rows[i];
         const QString name = QString::fromUtf8(row.name.data(), static_cast<int>(::strnlen(row.name.data(), row.name.size())));
-        if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) add(name, row.value);
+        if (search_.isEmpty() || holds(name, search_)) add(name, row.value);
     }
     if (list.count == 0)   // nothing has run yet: what is kept over power-off
         for (std::size_t n = 0; desk_.live.connected() && n < 500; ++n)
             if (const double value = desk_.live.store(desk_.channel).variables[n]; !std::isnan(value)) {
                 const QString name = QString("#%1").arg(500 + n);
-                if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) add(name, value);
+                if (search_.isEmpty() || holds(name, search_)) add(name, value);
             }
     const std::uint32_t more = list.more;
     table_->rows = [lines, more] { return static_cast<int>(lines->size()) + (more ? 1 : 0); };

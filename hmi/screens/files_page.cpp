@@ -68,6 +68,7 @@ FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     pad_->onBackspace = [this] { name_.chop(1), state_->refresh(); };
     pad_->onEnter = [this] { named(); };
     pad_->enterText = word("OK");
+    pad_->national = true;
     pad_->hide();
 }
 
@@ -323,10 +324,10 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
     if (const std::vector<SheetTool> tools = compareTools(desk_.live, job); !tools.empty()) {
         headline(word("Required tools"), {}, word("Mounted"));
         for (const SheetTool& tool : tools) {
-            const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
+            const bool alike = tool.match == SheetTool::Match::Alike, same = alike || tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
             const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
-            compared(QString("L%1").arg(tool.channel), QString("T%1   %2").arg(tool.station).arg(tool.wanted), {}, unknown ? Sign::None : usable ? Sign::Good : same ? tool.state.sign : Sign::Warning,
-                     usable ? t.good : same ? t.bad : t.warn, same && !usable ? tool.state.text : matchText(tool), usable || unknown);
+            compared(QString("L%1").arg(tool.channel), QString("T%1   %2").arg(tool.station).arg(tool.wanted), {}, unknown ? Sign::None : usable ? (alike ? Sign::Note : Sign::Good) : same ? tool.state.sign : Sign::Warning,
+                     usable ? (alike ? t.dim : t.good) : same ? t.bad : t.warn, same && !usable ? tool.state.text : matchText(tool), usable || unknown);
         }
     }
     if (const auto zeros = compareZeros(desk_.live, *preview_.sheet); !zeros.empty()) {
@@ -521,7 +522,7 @@ void FilesPage::addMenuKeys(std::vector<SoftKey>& keys) {
     const bool open = real && !one->readOnly && one->level <= level_;
     keys.push_back({word("Rename"), [this] { this->name(Naming::Rename); }, Sign::None, free && open, naming_ == Naming::Rename, false, word("Other files may name it: press again"), {}, chosenPath(), file});
     keys.push_back({word("New folder"), [this] { this->name(Naming::Folder); }, Sign::None, free && !placesShown_, naming_ == Naming::Folder});
-    keys.push_back({word("Delete"), [this] { start(word("Deleted"), [path = chosenPath(), level = level_](const std::atomic<bool>& stop) { return removeAll(path, level, stop); }); }, Sign::Off, free && open, false, true,
+    keys.push_back({word("Delete"), [this] { start(word("Deleted"), [path = chosenPath(), level = level_](const std::atomic<bool>& stop) { return removeAll(path, level, stop); }); }, Sign::Bin, free && open, false, true,
                     word("It is gone for good: press again"), {}, chosenPath(), file});
     if (placesShown_) {
         const int row = files_->row();

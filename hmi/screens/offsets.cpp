@@ -665,7 +665,7 @@ std::vector<SoftKey> Offsets::keys() {
     if (byEdges()) {
         keys.push_back({word("New edge"), [this] { newEdge(); }, Sign::None, desk_.live.connected() && value.has_value()});
         const QString edge = value && value->ofEdge() ? edgeTitle(desk_.live, value->edge) : QString();
-        keys.push_back({word("Delete edge"), [this] { deleteEdge(); }, Sign::None, mayDelete(), false, false, word("Its values go: press again"), {}, edge, value ? QString("D%1").arg(value->edge.edge) : QString()});
+        keys.push_back({word("Delete edge"), [this] { deleteEdge(); }, Sign::Bin, mayDelete(), false, false, word("Its values go: press again"), {}, edge, value ? QString("D%1").arg(value->edge.edge) : QString()});
     }
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")

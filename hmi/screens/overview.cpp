@@ -147,7 +147,7 @@ SoftKey Overview::endWithPartKey() {
         anyGoesOn |= (live.channel(one).keys & kKeyStopAfterPart) == 0;
     }
     const bool ends = anyProgram && !anyGoesOn;   // life of a tool and warming up ask for it too, in one channel alone
-    return {word("End with this part"), [this, ends] { desk_.requests.press(QString("stop_after_part") + (ends ? " off" : "")); }, Sign::Ended, live.connected() && !live.channels().empty(), ends, false, ends ? word("Parts go on: press again") : QString()};
+    return {word("End with this part"), [this, ends] { desk_.requests.press(QString("stop_after_part") + (ends ? " off" : "")); }, Sign::None, live.connected() && !live.channels().empty(), ends, false, ends ? word("Parts go on: press again") : QString()};
 }
 
 // Left by whatever way, the screen comes back with its first page.

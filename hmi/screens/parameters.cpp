@@ -19,7 +19,7 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr double kBitLetters = 35;   // in a line of a bit's meaning
+constexpr double kBitLetter = 6.5;   // about so wide, in a bit's meaning
 constexpr int kBitHits = 1;       // + number of the bit
 constexpr int kTextHit = 100;
 constexpr int kBitWaitsMs = 4'000;    // as long as a soft key waits for its second press
@@ -127,7 +127,7 @@ Parameters::Parameters(Desk& desk)
         if (page_ != Page::List) return;
         const QRectF box(head_->width() - px(460), px(6), px(452), head_->height() - px(10));
         w.field(box, search_, word("Search: number, name or meaning"), searching_, 1);
-        w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), word("values: %1").arg(lines_.size()), lettering(15), t.dim, kRight);
+        w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), (search_.isEmpty() ? word("values: %1") : word("Found: %1")).arg(lines_.size()), lettering(15), t.dim, kRight);
     };
     head_->onTouched = [this](int) {
         desk_.ask({word("Search"), search_, [this](const QString& text) { find(text); }, {}});
@@ -366,10 +366,10 @@ void Parameters::resizeEvent(QResizeEvent*) { layOut(); }
 void Parameters::layOut() {
     const int top = px(46), edge = px(8), groups = px(190), side = px(330), pad = px(346);
     head_->setGeometry(0, 0, width(), top);
-    const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), side, px(420), edge);
+    bits_ = bitsLook();
+    const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), side, px(bits_ == Bits::None ? 420 : 540), edge);   // a finger must hit each of eight bits
     groups_->setGeometry(QRect(all.main.topLeft(), QSize(groups, all.main.height())));
     const bool list = page_ == Page::List;
-    bits_ = bitsLook();
     // Bits keep their room while a number is typed: the keys come beneath the list.
     const bool beneath = bits_ == Bits::Typed;
     const bool stacked = upright(*this);
@@ -398,15 +398,18 @@ void Parameters::composeDetail(Writer& w) {
     w.data(QRectF(px(12), y, wide - px(24), px(24)), target(*line) + "  " + fromView(words.name), lettering(16, true), t.text);
     y += px(26);
     const bool bits = row.type == params::Type::Bits;
-    const double meaning = px(bits || row.acts != "yes" ? 60 : 96);   // what is not so is said below it
-    Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(words.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
+    const QFont meant = lettering(13.5);
+    const double most = px(bits || row.acts != "yes" ? 60 : 96);   // what is not so is said below it
+    const double meaning = bits ? std::min(most, setWords(fromView(words.meaning), meant, wide - px(24), true).height + px(4)) : most;   // what it leaves is the bits'
+    Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(words.meaning), meant, t.dim, Qt::AlignLeft | Qt::AlignTop);
     text.wraps = true, text.data = true;
     y += meaning + px(2);
     if (bits) {   // each bit with what it means on and off; a touch chooses it, the next one turns it over
         const auto now = static_cast<unsigned>(value(*line));
         const double facts = px(90 + (row.acts != "yes" ? 36 : 0));   // beneath: what is told of every parameter
         // Shares of the height by the lines of the texts, about so many letters each: three lines must not be cut where others have one.
-        const auto linesOf = [&](const params::Bit& bit) { return std::max(2.0, std::ceil(static_cast<double>(bothMeanings(fromView(words.bits[bit.number])).size()) / kBitLetters)); };
+        const double letters = (wide - px(104)) / px(kBitLetter);
+        const auto linesOf = [&](const params::Bit& bit) { return std::max(2.0, std::ceil(static_cast<double>(bothMeanings(fromView(words.bits[bit.number])).size()) / letters)); };
         double all = 0;
         for (const params::Bit& bit : row.bits) all += linesOf(bit);
         const double tall = std::min<double>(px(31), (high - y - px(10) - facts) / std::max(1.0, all));
@@ -437,10 +440,10 @@ void Parameters::composeDetail(Writer& w) {
         y += px(19);   // five lines and the card's border
     };
     if (bits) {
-        fact(word("Default"), bitDigits(static_cast<unsigned>(row.default_number(line->element))), differs(*line) ? t.accent : t.text);
+        fact(word("Default"), bitDigits(static_cast<unsigned>(row.default_number(line->element))), t.text);
     } else if (row.type != params::Type::Text) {
         fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
-        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
+        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), t.text);
     } else {
         fact(word("Default"), fromView(row.default_text), t.text);
     }

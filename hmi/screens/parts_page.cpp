@@ -69,7 +69,7 @@ PartsPage::PartsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         if (!one || column == kName || column == kAxis) return std::nullopt;
         static constexpr const char* kFields[] = {"", "", "", "", "nominal", "upper", "lower", "last", "", "proposal"};
         const QString title = QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column));
-        if (column == kTool) return NumberPad::Field{title, {}, one->value("tool").toDouble(), 0u};
+        if (column == kTool) return NumberPad::Field{title, {}, one->value("tool").toDouble(), 0u, false, 1, false};
         const LengthUnit unit = unitOf(*one);
         return NumberPad::Field{title, unit.name(), one->value(kFields[column]).toDouble(), unit.digits(3), false, unit.size()};
     };
@@ -218,7 +218,7 @@ void PartsPage::addKeys(std::vector<SoftKey>& keys) {
                         wanted_ = next;
                         ask({{"do", "parts.add"}, {"dimension", next}, {"fields", QJsonObject{{"nominal", "0"}, {"upper", "0.02"}, {"lower", "-0.02"}, {"channel", QString::number(desk_.channel)}, {"axis", "X"}}}}, word("New dimension"));
                     }, Sign::None, there});
-    keys.push_back({word("Delete"), [this, number] { ask({{"do", "parts.delete"}, {"dimension", number}}, word("Deleted")); }, Sign::Off, there && one, false, true, word("It is gone for good: press again"), {}, QString::number(number.toInt()), QString::number(number.toInt())});
+    keys.push_back({word("Delete"), [this, number] { ask({{"do", "parts.delete"}, {"dimension", number}}, word("Deleted")); }, Sign::Bin, there && one, false, true, word("It is gone for good: press again"), {}, QString::number(number.toInt()), QString::number(number.toInt())});
 }
 
 }  // namespace polyturn::hmi

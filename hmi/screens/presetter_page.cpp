@@ -1,6 +1,7 @@
 #include "hmi/screens/presetter_page.hpp"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -12,6 +13,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/edge_words.hpp"
+#include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
 #include "hmi/widgets/upright.hpp"
@@ -65,7 +67,7 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const int row = values_->row();
         const Value which = valueOf(row);
-        if (which == kOffset || which == kEdge) return NumberPad::Field{values_->cell(row, 0).text, {}, number_[which], 0u};
+        if (which == kOffset || which == kEdge) return NumberPad::Field{values_->cell(row, 0).text, {}, number_[which], 0u, false, 1, false};
         const LengthUnit unit = desk_.live.unit(desk_.channel);
         return NumberPad::Field{values_->cell(row, 0).text, unit.name(), number_[which], unit.digits(3), false, unit.size()};
     };
@@ -88,6 +90,26 @@ PresetterPage::~PresetterPage() {
 // The presetter makes its folder when it writes it.
 QString PresetterPage::calibrationFile() const {
     return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn/presetter-" + QString::fromStdString(desk_.live.instance()) + ".json";
+}
+
+// Of this computer, and not at each frame.
+void PresetterPage::lookForCalibration() {
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (now < lookAt_) return;
+    lookAt_ = now + 2'000;
+    calibratedOn_ = QFileInfo(calibrationFile()).lastModified();
+}
+
+// The edges of a tool are those of each channel that has it.
+bool PresetterPage::inUse() const {
+    const auto number = static_cast<std::int32_t>(number_[kOffset]), edge = static_cast<std::int32_t>(number_[kEdge]);
+    const bool edges = usesEdges(desk_.live, desk_.channel);
+    const auto& all = desk_.live.channels();
+    return std::any_of(all.begin(), all.end(), [&](unsigned channel) {
+        const ChannelView& view = desk_.live.view(channel);
+        if (!works(desk_.live.channel(channel)) || !view.known || (!edges && channel != desk_.channel)) return false;
+        return edges ? view.picture.tool == number && view.picture.edge == edge : view.picture.geometry == number || view.picture.wear == number;
+    });
 }
 
 // Aside: the folder may lie on a network.
@@ -158,7 +180,7 @@ void PresetterPage::run(QStringList arguments, bool written) {
         else if (answer_.isEmpty()) failure_ = QString::fromUtf8(errors_).simplified();
         written_ = written && !answer_.isEmpty(), calibrated_ = calibration && !answer_.isEmpty();
         if (written_) desk_.tell(word("The offset is written"), Told::Good);
-        refresh();
+        lookAt_ = 0, refresh();
         if (desk_.keysChanged) desk_.keysChanged();
     };
     QObject::connect(process_.get(), &QProcess::finished, this, [over] { over(true); });
@@ -232,6 +254,7 @@ void PresetterPage::refresh() {
     takeFolder();
     take();
     forgetOther();
+    lookForCalibration();
     files_->focused = !onValues_, values_->focused = onValues_;
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -274,6 +297,7 @@ void PresetterPage::composeResult(Writer& w) {
     if (process_) return sentence(Sign::Wait, t.wait, word("Measures ..."), false);
     if (!failure_.isEmpty()) return sentence(Sign::Alarm, t.bad, failure_, true);
     if (calibrated_) return sentence(Sign::Good, t.good, word("Calibrated: %1 µm a pixel, tilted by %2°").arg(answer_.value("um_per_pixel").toDouble(), 0, 'f', 3).arg(answer_.value("tilt_deg").toDouble(), 0, 'f', 3), false);
+    if (answer_.isEmpty() && calibratedOn_.isValid()) return sentence(Sign::Note, t.dim, word("«Measure» finds the tip and shows what would be entered. Camera calibrated: %1.").arg(momentText(calibratedOn_, "HH:mm")), false);
     if (answer_.isEmpty()) return sentence(Sign::Note, t.dim, word("«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first."), false);
     double y = px(6);
     const LengthUnit unit = desk_.live.unit(desk_.channel);
@@ -292,8 +316,11 @@ void PresetterPage::composeResult(Writer& w) {
         const QJsonObject entry = one.toObject();
         const QString what = entry.value("what").toString(), title = cellTitle(what);
         const unsigned decimals = what.endsWith(" T") || what.endsWith(" DP2") ? 0 : 4;   // the tip
+        const QStringList cell = what.split(' ');   // «L1 offset 3 geometry X»
+        const AxisConfig* axis = cell.size() == 5 && cell[1] == "offset" && QString("XYZ").contains(cell[4]) ? find_axis(desk_.live.config(), desk_.channel, cell[4] == "X" ? PlaneRole::BasicX : cell[4] == "Y" ? PlaneRole::BasicY : PlaneRole::BasicZ) : nullptr;
+        const bool diameter = axis && axis->offset_diameter && !axis->rotary;
         const auto number = [&](const char* name) { return decimals ? unit.text(entry.value(name).toDouble(), decimals) : lengthText(entry.value(name).toDouble(), 0); };
-        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(title, number("old"), number("new")), lettering(13.5, false, Face::Condensed), t.text);
+        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3 %4").arg(title, number("old"), number("new"), decimals ? unit.name() + (diameter ? QString::fromUtf8(" ⌀") : QString()) : QString()), lettering(13.5, false, Face::Condensed), t.text);
         y += px(20);
     }
 }
@@ -309,7 +336,7 @@ void PresetterPage::addKeys(std::vector<SoftKey>& keys) {
     forgetOther();
     const QString offset = place();
     keys.push_back({word("Measure"), [this] { measure(false); }, Sign::None, ready});
-    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again"), {}, QString("%1 %2").arg(offset, chosen()), offset});
+    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, inUse() ? word("A program works with it: press again") : word("Writes the offset: press again"), {}, QString("%1 %2").arg(offset, chosen()), offset});
     keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again"), {}, QString("%1 %2").arg(pin(), chosen()), chosen().section('/', -1)});
 }
 

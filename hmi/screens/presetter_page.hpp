@@ -1,6 +1,7 @@
 // The presetter: pictures of a tool's shadow, the outline found in the one that is chosen, what `polyturn presetter measure` says of it,
 // and what would be entered in the offset. Nothing is written before it is confirmed.
 #pragma once
+#include <QDateTime>
 #include <QFileInfo>
 #include <QImage>
 #include <QJsonObject>
@@ -53,6 +54,8 @@ private:
     Value valueOf(int row) const;      // of a channel that uses edges the tool and its edge stand in place of the offset
     void forgetOther();
     QString calibrationFile() const;
+    bool inUse() const;                // a running program works with what would be written
+    void lookForCalibration();
 
     Desk& desk_;
     Table *files_, *values_;
@@ -76,6 +79,8 @@ private:
     QString answerFor_;                // which place() it is of
     QByteArray out_, errors_;
     std::unique_ptr<QProcess> process_;
+    QDateTime calibratedOn_;           // invalid: the camera is not calibrated
+    qint64 lookAt_ = 0;
     bool written_ = false, calibrated_ = false, onValues_ = false;
 };
 

@@ -388,7 +388,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
         {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
         {word("Simulation, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves, {}, page_ == Page::Edit ? editor_->file() : QString()},
-        {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
+        {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::None, there, page_ == Page::Restart},
         std::move(start),
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
         {word("New program"), [this] { files_->newProgram(fromView(language_name(desk_.live.panelLanguage(desk_.channel)))); }, Sign::None, page_ == Page::Files && !files_->atPlaces() && !files_->working(), files_->naming()},

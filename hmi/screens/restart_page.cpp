@@ -59,7 +59,7 @@ RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(d
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto channel = chosen();
         if (!channel) return std::nullopt;
-        return NumberPad::Field{word("L%1: restart at block").arg(*channel), {}, at(*channel).wanted < 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(at(*channel).wanted), 0};
+        return NumberPad::Field{word("L%1: restart at block").arg(*channel), {}, at(*channel).wanted < 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(at(*channel).wanted), 0, false, 1, false};
     };
     pad_->onInput = [this](double value) {
         if (const auto channel = chosen(); channel && value >= 0 && value == std::floor(value)) at(*channel).wanted = static_cast<std::int64_t>(value);

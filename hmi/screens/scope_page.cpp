@@ -73,7 +73,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         QString unit;
         const QString title = titleOf(record_.trigger.trace, &unit);
-        return NumberPad::Field{word("Trigger level") + "  " + title, unitWord(unit.toStdString()), record_.trigger.level, unit.startsWith("inch") ? 4u : 3u};
+        return NumberPad::Field{word("Trigger level") + "  " + title, unitWord(unit.toStdString()), record_.trigger.level, unit.startsWith("inch") ? 4u : 3u, false, 1, false};
     };
     pad_->onInput = [this](double value) { record_.trigger.level = value, level_ = false, record_.arm(), layOut(); };
     note_->onCompose = [this](Writer& w) {
@@ -399,7 +399,7 @@ std::vector<SoftKey> ScopePage::keys(std::function<void()> back) {
     std::vector<SoftKey> keys{{word("Back"), std::move(back), Sign::Left}};
     keys.push_back({word("Circularity"), [this] { showCircle(!circle_); }, Sign::Spindle, true, circle_});
     if (circle_) {
-        keys.push_back({word("Axes of L%1").arg(desk_.channel), [this] { setCircle(); }, Sign::Run, there});
+        keys.push_back({word("Axes of L%1").arg(desk_.channel), [this] { setCircle(); }, Sign::None, there});
         keys.resize(8);
     } else {
         keys.push_back({word("Choose signal"), [this] { showChooser(true); }, Sign::None, there, choosing_});

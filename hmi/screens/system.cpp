@@ -262,11 +262,11 @@ std::vector<SoftKey> System::keys() {
     const QString name = name_;
     const auto told = [this](const Answer& answer) { if (answer.ok) desk_.tell(word("Written"), Told::Good), password_.clear(), lookAt_ = 0; };
     keys.push_back({word("Log in"), [this] { logIn(); }, Sign::Good, named});
-    keys.push_back({word("Log out"), [this] { desk_.requests.ask({{"do", "logout"}}, [this](const Answer&) { desk_.requests.setToken({}), lookAt_ = 0; }); }, Sign::Left, there});
+    keys.push_back({word("Log out"), [this] { desk_.requests.ask({{"do", "logout"}}, [this](const Answer&) { desk_.requests.setToken({}), lookAt_ = 0; }); }, Sign::None, there});
     keys.push_back({word("New user"), [this, name, told] { desk_.requests.store({{"do", "users.add"}, {"name", name}, {"level", kLevels[newLevel_]}, {"password", password_}}, told); }, Sign::None, named && !password_.isEmpty()});
     keys.push_back({word("Other level"), [this] { newLevel_ = (newLevel_ + 1) % 3, refresh(); }, Sign::None, true});
     keys.push_back({word("Give this level"), [this, name, told] { desk_.requests.store({{"do", "users.level"}, {"name", name}, {"level", kLevels[newLevel_]}}, told); }, Sign::None, named});
-    keys.push_back({word("Delete user"), [this, name, told] { desk_.requests.store({{"do", "users.delete"}, {"name", name}}, told); }, Sign::Off, named, false, true, word("It is gone: press again"), {}, name, name});
+    keys.push_back({word("Delete user"), [this, name, told] { desk_.requests.store({{"do", "users.delete"}, {"name", name}}, told); }, Sign::Bin, named, false, true, word("It is gone: press again"), {}, name, name});
     return keys;
 }
 

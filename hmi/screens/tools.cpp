@@ -4,12 +4,14 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
+constexpr qsizetype kNameBytes = 32;   // of the longest text in a row of tools, with its end
 constexpr int kFilterHit = 900, kSearchHit = 901;
 
 }  // namespace
@@ -45,7 +47,8 @@ Tools::Tools(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), side_(new FreeSheet(this)), picture_(new Magazine(desk.live, this)), list_(new ToolList(this)), table_(new Table(this)),
       pad_(new NumberPad(this)), letters_(new TextPad(this)), presetter_(new PresetterPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
-    letters_->onText = [this](const QString& text) { if (typed_.size() < 31) typed_ += text, refresh(); };
+    letters_->onText = [this](const QString& text) { if ((typed_ + text).toUtf8().size() < kNameBytes) typed_ += text, refresh(); };
+    letters_->national = true;   // Latin ones at first: programs call tools by these
     letters_->onBackspace = [this] { typed_.chop(1), refresh(); };
     letters_->onEnter = [this] { fieldActivated(), refresh(); };
     picture_->focused = true;
@@ -146,7 +149,7 @@ std::vector<Sheet*> Tools::sheets() {
     switch (page_) {
         case Page::Magazine: return {head_, picture_, list_, detail_};
         case Page::Data:
-            if (letters_->isVisible()) return {head_, table_, side_, pad_, letters_};
+            if (letters_->isVisible()) return {head_, table_, side_, letters_};
             return {head_, table_, side_, pad_};
         case Page::Pallets: return {head_, table_, side_, pad_};
         case Page::Life: return {head_, table_, detail_};
@@ -207,13 +210,14 @@ void Tools::layOut() {
     table_->setGeometry((side ? all.main : room).adjusted(0, 0, 0, page_ == Page::Life ? -px(80) : letters ? -px(288) : 0));
     if (page_ == Page::Life) detail_->setGeometry(edge, height() - px(76), width() - 2 * edge, px(68));
     else detail_->setGeometry(all.side.left(), all.side.bottom() + 1 - foot, all.side.width(), foot);
-    side_->setGeometry(beside.rest), pad_->setGeometry(beside.pad);
+    side_->setGeometry(letters ? all.side : beside.rest), pad_->setGeometry(beside.pad);
+    pad_->setVisible(side && !letters);
     presetter_->setGeometry(0, top, width(), height() - top);
     for (Sheet* one : sheets()) one->refresh();
 }
 
 bool Tools::passes(std::int32_t number, const ToolRow& tool) const {
-    if (!search_.isEmpty() && !toolName(tool, number).contains(search_, Qt::CaseInsensitive) && QString::number(number) != search_ && QString("T%1").arg(tool.type_number).compare(search_, Qt::CaseInsensitive) != 0) return false;
+    if (!search_.isEmpty() && !holds(toolName(tool, number), search_) && QString::number(number) != search_ && QString("T%1").arg(tool.type_number).compare(search_, Qt::CaseInsensitive) != 0) return false;
     switch (filter_) {
         case Filter::All: return true;
         case Filter::Here: return tool.magazine == picture_->shown();
@@ -325,7 +329,12 @@ void Tools::composeDetail(Writer& w) {
         return;
     }
     const ToolRow* tool = chosen();
-    if (const ToolPlace* place = picture_->chosen(); !tool && place) w.text(QRectF(px(16), px(8), wide - px(32), px(28)), placeText(desk_.live, place->magazine, place->pot) + "  " + word("empty"), lettering(18, true), t.dim);
+    if (const ToolPlace* place = picture_->chosen(); !tool && place) {
+        w.text(QRectF(px(16), px(8), wide - px(32), px(28)), placeText(desk_.live, place->magazine, place->pot) + "  " + word("empty"), lettering(18, true), t.dim);
+        const auto& rows = desk_.live.tools().rows;   // why nothing can be loaded now
+        const bool homeless = std::any_of(rows.begin(), rows.end(), [](const ToolRow& one) { return one.used && one.magazine == 0; });
+        w.text(QRectF(px(16), px(42), wide - px(32), px(52)), homeless ? word("To load: choose a tool without a place in the list") : word("Nothing to load: every tool has a place"), lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop).wraps = true;
+    }
     if (!tool) return;
     const StateWords state = toolWords(*tool);
     w.fill(QRectF(0, 0, px(5), high), state.colour, px(2));
@@ -361,6 +370,7 @@ void Tools::refresh() {
     if (page_ == Page::Data && version_ != desk_.live.toolsVersion()) fillData();
     if ((page_ == Page::Life || page_ == Page::Pallets) && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
     if (page_ == Page::Presetter) presetter_->refresh();
+    list_->marked = rowOf(tool_) >= 0;   // a place without a tool has no row
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -392,7 +402,7 @@ bool Tools::key(QKeyEvent* event) {
         const QString text = event->text();
         if (event->key() == Qt::Key_Backspace) return typed_.chop(1), refresh(), true;
         if (event->key() == Qt::Key_Escape) return typed_.clear(), refresh(), true;
-        if (text.size() == 1 && text[0].isPrint() && typed_.size() < 31) return typed_ += text, refresh(), true;
+        if (text.size() == 1 && text[0].isPrint() && (typed_ + text).toUtf8().size() < kNameBytes) return typed_ += text, refresh(), true;
     } else if ((page_ == Page::Data || page_ == Page::Pallets) && pad_->key(event)) {
         return true;
     }

@@ -167,7 +167,7 @@ std::vector<SoftKey> Tools::keys() {
         }
         case Page::Data: {
             keys.push_back({word("New tool"), [this] { addTool(); }, Sign::None, there});
-            keys.push_back({word("Delete tool"), [this] { desk_.requests.store({{"do", "tools.delete"}, {"tool", tool_}}); }, Sign::Off, tool != nullptr, false, true, word("It is gone: press again"), {}, QString::number(tool_), name});
+            keys.push_back({word("Delete tool"), [this] { desk_.requests.store({{"do", "tools.delete"}, {"tool", tool_}}); }, Sign::Bin, tool != nullptr, false, true, word("It is gone: press again"), {}, QString::number(tool_), name});
             keys.push_back(insert), keys.push_back(lock);
             const ToolPlace* place = tool ? placeOf(desk_.live, tool->magazine, tool->pot) : nullptr;
             const bool shut = place && (place->state & kPlaceLocked);

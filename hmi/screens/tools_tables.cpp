@@ -108,7 +108,7 @@ void Tools::fillData() {
             const LengthUnit unit = desk_.live.commonUnit();
             return NumberPad::Field{word(one.title), unit.name(), tool_number(*tool, field), unit.digits(3), false, unit.size()};
         }
-        return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u};
+        return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u, false, 1, field.type != ToolFieldType::Whole};
     };
     pad_->onInput = [this](double now) {
         if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now, 6));
@@ -205,7 +205,7 @@ void Tools::fillPallets() {
     };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         if (page_ != Page::Pallets || table_->row() >= static_cast<int>(pallets_.size())) return std::nullopt;
-        return NumberPad::Field{word("Pallet number, 0: no pallet"), {}, pallets_[static_cast<std::size_t>(table_->row())].number, 0};
+        return NumberPad::Field{word("Pallet number, 0: no pallet"), {}, pallets_[static_cast<std::size_t>(table_->row())].number, 0, false, 1, false};
     };
     pad_->onInput = [this](double now) {
         if (page_ != Page::Pallets || table_->row() >= static_cast<int>(pallets_.size())) return;
@@ -239,6 +239,17 @@ void Tools::composeSide(Writer& w) {
     else if (textField()) words = word("Type, then Enter.");
     else if (pad_->field && pad_->field()) words = word("Type a number or touch it, then Input.");
     else words = word("Enter, or a second touch, changes it.");
+    if (const ToolRow* tool = chosen(); tool && textField()) {   // what is typed, in the place of a number's keys
+        const Shown& one = kShown[table_->row()];
+        const ToolField& field = tool_field(one.field);
+        const QString present = QString::fromStdString(tool_text(*tool, field));
+        const LengthUnit unit = field.type == ToolFieldType::Outline ? desk_.live.commonUnit() : LengthUnit{};
+        w.data(QRectF(px(14), px(6), wide - px(28), px(24)), word(one.title), lettering(15, true), t.text);
+        w.field(QRectF(px(12), px(34), wide - px(24), px(44)), typed_, QString(), true, 0);
+        w.data(QRectF(px(14), px(80), wide - px(28), px(24)), unit.inch() ? scaledNumbers(present, 1 / unit.size()) : present, lettering(15), t.dim, kRight);
+        w.text(QRectF(px(14), px(108), wide - px(28), px(48)), words, lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop).wraps = true;
+        return;
+    }
     Item& item = w.text(QRectF(px(14), px(10), wide - px(28), high - px(20)), words, lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
     item.wraps = true;
     if (page_ == Page::Pallets && table_->row() < static_cast<int>(pallets_.size()))

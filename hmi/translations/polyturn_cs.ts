@@ -309,6 +309,11 @@
         <translation>Běží program: ručně se osy posouvají při zastavení, po „Odjet“</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>A program works with it: press again</source>
+        <translation>Program s ní pracuje: ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Start vyžaduje:</translation>
@@ -1659,6 +1664,11 @@
         <translation>Zapomenout místo</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Found: %1</source>
+        <translation>Nalezeno: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Free</source>
         <translation>Volné</translation>
@@ -2707,6 +2717,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Ke startu nic nechybí</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Nothing to load: every tool has a place</source>
+        <translation>Není co vložit: každý nástroj má místo</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4544,6 +4559,11 @@
         <translation>Zbývá</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To load: choose a tool without a place in the list</source>
+        <translation>K vložení: vyberte v seznamu nástroj bez místa</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>To the offsets</source>
         <translation>Na korekce</translation>
@@ -5097,6 +5117,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>úhel</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>another tool: %1</source>
+        <translation>jiný nástroj: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5654,6 +5679,11 @@
         <translation>obsluha</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>other name: %1</source>
+        <translation>jiný název: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>palet</translation>
@@ -6092,6 +6122,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
         <translation>„Označit“ zvolí, co kopírovat nebo porovnat</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. Camera calibrated: %1.</source>
+        <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kamera je zkalibrována: %1.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>

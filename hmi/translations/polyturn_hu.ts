@@ -309,6 +309,11 @@
         <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, az „Elállás” után</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>A program works with it: press again</source>
+        <translation>Program dolgozik vele: még egyszer</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Az indításhoz kell:</translation>
@@ -1659,6 +1664,11 @@
         <translation>Hely törlése</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Found: %1</source>
+        <translation>Találat: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Free</source>
         <translation>Szabad</translation>
@@ -2707,6 +2717,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Az indításhoz semmi sem hiányzik</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Nothing to load: every tool has a place</source>
+        <translation>Nincs mit betölteni: minden szerszámnak van helye</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4544,6 +4559,11 @@
         <translation>Hátralévő</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To load: choose a tool without a place in the list</source>
+        <translation>Betöltéshez: válasszon a listából hely nélküli szerszámot</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>To the offsets</source>
         <translation>A korrekciókhoz</translation>
@@ -5097,6 +5117,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>szög</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>another tool: %1</source>
+        <translation>más szerszám: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5654,6 +5679,11 @@
         <translation>kezelő</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>other name: %1</source>
+        <translation>más név: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>paletta</translation>
@@ -6092,6 +6122,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
         <translation>A „Kijelölés” választja ki a másolandót vagy összehasonlítandót</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. Camera calibrated: %1.</source>
+        <translation>A «Mérés» megkeresi a csúcsot, és megmutatja, mi kerülne be. Kamera kalibrálva: %1.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>

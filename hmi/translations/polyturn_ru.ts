@@ -309,6 +309,11 @@
         <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Отвод»</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>A program works with it: press again</source>
+        <translation>Используется программой: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Для пуска нужно:</translation>
@@ -1659,6 +1664,11 @@
         <translation>Забыть место</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Found: %1</source>
+        <translation>Найдено: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Free</source>
         <translation>Свободно</translation>
@@ -2707,6 +2717,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Для пуска всё готово</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Nothing to load: every tool has a place</source>
+        <translation>Загружать нечего: у каждого инструмента есть место</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4544,6 +4559,11 @@
         <translation>Остаток</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To load: choose a tool without a place in the list</source>
+        <translation>Для загрузки выберите в списке инструмент без места</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>To the offsets</source>
         <translation>К коррекциям</translation>
@@ -5097,6 +5117,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>угол</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>another tool: %1</source>
+        <translation>другой инструмент: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5654,6 +5679,11 @@
         <translation>оператор</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>other name: %1</source>
+        <translation>другое имя: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>паллет</translation>
@@ -6092,6 +6122,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
         <translation>«Отметить» выбирает, что копировать или сравнить</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. Camera calibrated: %1.</source>
+        <translation>«Измерить» находит вершину и показывает, что будет введено. Камера откалибрована: %1.</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>

@@ -13,9 +13,12 @@ namespace {
 constexpr double kLeastLetters = 12;      // pixels
 constexpr double kNameShare = 0.135;      // of a place's side: the letters of a name
 constexpr std::size_t kMostOfLoop = 40;   // places of a chain that a loop can show; more are rows
+constexpr int kScrolled = 10;             // pixels beside rows of which not all are shown
 constexpr double kTurn = 6.283185307179586;
 
 bool readable(double side) { return side * kNameShare * 1.05 >= kLeastLetters; }
+// Too small for the sizes of the large ones, yet a name in the least letters has room across its middle.
+bool named(double side) { return side >= kLeastLetters * 5.2; }
 
 std::vector<const ToolPlace*> placesOf(const Live& live, std::int32_t magazine) {
     std::vector<const ToolPlace*> out;
@@ -98,14 +101,17 @@ void Magazine::lens(std::vector<Spot>& out, const std::vector<const ToolPlace*>&
     }
 }
 
-// Rows and columns; where they do not all fit, those about the chosen place.
-void Magazine::grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
+// Rows and columns, as large as all of them have room; where that would be too small for names, those about the chosen place.
+QRectF Magazine::grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
     const bool matrix = static_cast<PlaceKind>(places.front()->kind) == PlaceKind::Matrix;
+    const double least = std::max<double>(px(58), kLeastLetters * 5.2 + px(4)), most = px(118), all = static_cast<double>(places.size());
     double columns = 1;
-    if (matrix) for (const ToolPlace* one : places) columns = std::max(columns, one->column / 2 + 1);
-    else columns = std::max(1.0, std::min<double>(static_cast<double>(places.size()), std::floor(width() / static_cast<double>(px(84)))));
-    const double fit = std::max(1.0, std::floor(width() / std::max<double>(px(58), kLeastLetters / kNameShare))), shownColumns = std::min(columns, fit);
-    const double size = std::min<double>(px(118), width() / shownColumns), shownRows = std::max(1.0, std::floor(height() / size));
+    if (matrix) {
+        for (const ToolPlace* one : places) columns = std::max(columns, one->column / 2 + 1);
+    } else {   // as few in a row as have room: large ones
+        columns = std::clamp(std::floor(width() / most), 1.0, all);
+        while (columns < all && width() / (columns + 1) >= least && std::ceil(all / columns) * (width() / columns) > height()) ++columns;
+    }
     const auto rowOf = [&](std::size_t i) { return matrix ? places[i]->row / 2 : std::floor(static_cast<double>(i) / columns); };
     const auto columnOf = [&](std::size_t i) { return matrix ? places[i]->column / 2 : std::fmod(static_cast<double>(i), columns); };
     std::size_t at = 0;
@@ -114,27 +120,38 @@ void Magazine::grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>&
         if (places[i]->pot == pot_) at = i;
         rows = std::max(rows, rowOf(i) + 1);
     }
-    const auto first = [](double chosen, double shown, double all) { return std::clamp(std::floor(chosen - shown / 2 + 0.5), 0.0, std::max(0.0, all - shown)); };
+    double size = std::min({most, width() / columns, height() / rows}), wide = width(), high = height();
+    if (size < least) {   // beside it and beneath it: where those that are shown lie among all
+        if (std::floor(high / least) < rows) wide -= kScrolled;
+        if (std::floor(wide / least) < columns) high -= kScrolled;
+        size = std::max(least, std::min(most, wide / columns));
+    }
+    const double shownColumns = std::clamp(std::floor(wide / size + 1e-9), 1.0, columns), shownRows = std::clamp(std::floor(high / size + 1e-9), 1.0, rows);
+    const auto first = [](double chosen, double shown, double every) { return std::clamp(std::floor(chosen - shown / 2 + 0.5), 0.0, std::max(0.0, every - shown)); };
     const double firstRow = first(rowOf(at), shownRows, rows), firstColumn = first(columnOf(at), shownColumns, columns);
-    const double left = (width() - size * shownColumns) / 2, top = std::max(0.0, (height() - size * std::min(rows, shownRows)) / 2);
+    const double left = (wide - size * shownColumns) / 2, top = std::max(0.0, (high - size * shownRows) / 2);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double row = rowOf(i) - firstRow, column = columnOf(i) - firstColumn;
         if (row < 0 || row >= shownRows || column < 0 || column >= shownColumns) continue;
         out.push_back({places[i], QRectF(left + column * size + px(2), top + row * size + px(2), size - px(4), size - px(4)), false});
     }
+    return QRectF(firstColumn / columns, firstRow / rows, shownColumns / columns, shownRows / rows);
 }
 
-void Magazine::arrange(std::vector<Spot>& out) const {
+// What part of all of them is shown.
+QRectF Magazine::arrange(std::vector<Spot>& out) const {
+    const QRectF whole(0, 0, 1, 1);
     const auto places = placesOf(live_, magazine_);
-    if (places.empty()) return;
+    if (places.empty()) return whole;
     const auto kind = static_cast<PlaceKind>(places.front()->kind);
     if (kind == PlaceKind::Turret && places.size() <= 48) turret(out, places);
     else if (kind == PlaceKind::Chain && places.size() <= kMostOfLoop && places.size() > 2) {
         chain(out, places), lens(out, places);
-        if (!readable(out.front().box.width()) && !out.back().large) out.clear(), grid(out, places);   // no room in the loop
+        if (!named(out.front().box.width()) && !out.back().large) return out.clear(), grid(out, places);   // no room in the loop
     } else {
-        grid(out, places);
+        return grid(out, places);
     }
+    return whole;
 }
 
 void Magazine::composeSpot(Writer& w, const Spot& spot) const {
@@ -152,16 +169,23 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
     w.fill(box, here ? t.mark : tool ? t.raised : t.window, round);
     w.frame(box, here && focused ? t.accent : tool ? state.colour : t.edge, round, here ? px(4) : tool ? px(2) : 1);
     const double line = side * 0.2, inner = side * (spot.round ? 0.74 : 0.9), left = box.center().x() - inner / 2;
-    const bool small = !readable(side);
-    const double number = std::max(kLeastLetters, side * (small ? 0.3 : 0.16)) / panelScale();
-    w.text(QRectF(box.left(), box.top() + side * 0.05, side, std::max(line * 1.1, number * panelScale() * 1.25)), QString::number(place.pot), lettering(number, true), works ? t.good : t.dim, Qt::AlignCenter);
-    if (works && !small) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(kLeastLetters, side * 0.13) / panelScale(), true), t.good, Qt::AlignCenter);
-    if (locked) w.sign(QRectF(box.center().x() - side * 0.12, box.center().y() - side * 0.12, side * 0.24, side * 0.24), Sign::Lock, t.bad);
+    const bool full = readable(side), across = !full && named(side), small = !full && !across;   // across: number, name, sign beneath each other
+    const double number = std::max(kLeastLetters, side * (small ? 0.3 : across ? 0.2 : 0.16)) / panelScale();
+    w.text(QRectF(box.left(), box.top() + side * 0.05, side, across ? side * 0.29 : std::max(line * 1.1, number * panelScale() * 1.25)), QString::number(place.pot), lettering(number, true), works ? t.good : t.dim, Qt::AlignCenter);
+    if (works && full) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(kLeastLetters, side * 0.13) / panelScale(), true), t.good, Qt::AlignCenter);
+    if (locked) w.sign(QRectF(box.center().x() - side * 0.12, box.center().y() - side * (across && tool ? -0.12 : 0.12), side * 0.24, side * 0.24), Sign::Lock, t.bad);
     if (!tool) return;
     const double sign = side * (small ? 0.32 : 0.22);
+    const double part = lifeLeft(*tool);
+    if (across) {
+        const double room = side * 0.94, lines = kLeastLetters * 1.3;
+        w.data(QRectF(box.center().x() - room / 2, box.center().y() - lines / 2 - side * 0.02, room, lines), toolName(*tool, place.tool), lettering(kLeastLetters / panelScale(), false, Face::Condensed), t.text, Qt::AlignCenter);
+        if (!locked) w.sign(QRectF(box.center().x() - sign / 2, box.top() + side * 0.61, sign, sign), state.sign, state.colour);
+        if (part >= 0) w.bar(QRectF(box.center().x() - side * 0.22, box.top() + side * 0.86, side * 0.44, px(5)), part, lifeColour(*tool), t.edge);
+        return;
+    }
     if (!small) w.data(QRectF(left, box.top() + side * 0.27, inner, line), toolName(*tool, place.tool), lettering(std::max(kLeastLetters, side * kNameShare) / panelScale(), false, Face::Condensed), t.text, Qt::AlignCenter);
     if (!locked) w.sign(QRectF(box.center().x() - sign / 2, box.top() + side * (small ? 0.42 : 0.47), sign, sign), state.sign, state.colour);
-    const double part = lifeLeft(*tool);
     if (part >= 0) w.bar(QRectF(box.center().x() - side * 0.27, box.top() + side * 0.76, side * 0.54, std::max<double>(px(5), side * 0.06)), part, lifeColour(*tool), t.edge);
 }
 
@@ -169,7 +193,9 @@ void Magazine::compose(Writer& w) {
     const Theme& t = theme();
     w.fill(QRectF(0, 0, width(), height()), t.window);
     std::vector<Spot> spots;
-    arrange(spots);
+    const QRectF part = arrange(spots);
+    if (part.height() < 1) w.fill(QRectF(width() - px(6), height() * part.top(), px(6), height() * part.height()), t.edge, px(3));   // as a list has it
+    if (part.width() < 1) w.fill(QRectF(width() * part.left(), height() - px(6), width() * part.width(), px(6)), t.edge, px(3));
     if (spots.empty()) {
         Item& item = w.text(QRectF(px(20), height() / 2.0 - px(60), width() - px(40), px(120)), live_.connected() ? word("This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.") : QString(), lettering(16), t.dim, Qt::AlignCenter);
         item.wraps = true;

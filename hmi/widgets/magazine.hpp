@@ -44,11 +44,11 @@ private:
         bool round;
         bool large = false;                        // of those about the chosen place, drawn once more so that they can be read
     };
-    void arrange(std::vector<Spot>& out) const;
+    QRectF arrange(std::vector<Spot>& out) const;
     void turret(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const;
     void chain(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const;
     void lens(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const;
-    void grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const;
+    QRectF grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const;
     void composeSpot(Writer& w, const Spot& spot) const;
 
     const Live& live_;

@@ -95,8 +95,8 @@ void NumberPad::compose(Writer& w) {
     w.data(QRectF(px(12), px(6), wide - px(24), px(24)), now ? now->title : word("Choose a field"), lettering(15, true), now ? t.text : t.dim);
     // typed, and what it comes to
     const QRectF line(px(12), px(34), wide - px(24), px(44));
-    w.fill(line, t.window, px(6));
-    w.frame(line, text_.isEmpty() ? t.edge : t.accent, px(6), text_.isEmpty() ? 1 : px(2));
+    w.fill(line, t.entry(), px(6));
+    w.frame(line, text_.isEmpty() ? t.entryEdge() : t.accent, px(6), text_.isEmpty() ? 1 : px(2));
     const auto typed = entry();
     w.data(line.adjusted(px(10), 0, -px(10), 0), text_ + QString::fromUtf8("▏"), lettering(21, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
     const auto becomes = now ? result(*now, false) : std::nullopt;
@@ -125,8 +125,9 @@ void NumberPad::compose(Writer& w) {
         w.hit(box, static_cast<int>(i));
     }
     const bool ready = becomes.has_value();
-    const double half = (wide - px(24) - gap) / 2;
-    for (int i = 0; i < 2; ++i) {
+    const bool adds = !now || now->adds;
+    const double half = adds ? (wide - px(24) - gap) / 2 : wide - px(24);
+    for (int i = 0; i < (adds ? 2 : 1); ++i) {
         const QRectF box(px(12) + i * (half + gap), high - foot - px(6), half, foot);
         w.fill(box, ready ? (i ? t.mark : t.accent) : t.raised, px(6));
         w.frame(box, ready ? t.accent : t.edge, px(6), 1);

@@ -233,13 +233,13 @@ void Writer::bar(const QRectF& box, double part, const QColor& colour, const QCo
     item.value = part, item.colour = colour, item.second = behind;
 }
 
-void Writer::field(const QRectF& box, const QString& words, const QString& purpose, bool here, int number, Face face) {
+void Writer::field(const QRectF& box, const QString& words, const QString& purpose, bool here, int number, Face face, qsizetype caret) {
     const Theme& t = theme();
-    fill(box, t.window, px(6));
-    frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+    fill(box, t.entry(), px(6));
+    frame(box, here ? t.accent : t.entryEdge(), px(6), here ? px(2) : 1);
     const QRectF inside = box.adjusted(px(10), 0, -px(10), 0);
     if (words.isEmpty() && !here) text(inside, purpose, lettering(15), t.dim);
-    else data(inside, words + (here ? QString::fromUtf8("▏") : QString()), lettering(16.5, face == Face::Text, face), t.text);
+    else data(inside, here ? QString(words).insert(caret < 0 ? words.size() : caret, QString::fromUtf8("▏")) : words, lettering(16.5, face == Face::Text, face), t.text);
     if (number) hit(box, number), fields_->push_back({box, number, words});
 }
 

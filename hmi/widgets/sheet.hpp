@@ -52,7 +52,7 @@ public:
     void sign(const QRectF& box, Sign sign, const QColor& colour);
     void bar(const QRectF& box, double part, const QColor& colour, const QColor& behind);
     // A field of text: what is in it, or else what it is for; `here`: letters go there now. hit 0: it cannot be touched.
-    void field(const QRectF& box, const QString& text, const QString& purpose, bool here, int hit, Face face = Face::Text);
+    void field(const QRectF& box, const QString& text, const QString& purpose, bool here, int hit, Face face = Face::Text, qsizetype caret = -1);   // caret: letters before it; -1: at the end
     // A touch in this box is reported with this number; what is written later lies on top.
     void hit(const QRectF& box, int number) { hits_->emplace_back(box, number); }
 

@@ -94,7 +94,7 @@ void Table::compose(Writer& w) {
     const int first = static_cast<int>(std::lround(first_));
     for (int r = first; r < all && r < first + visibleRows(); ++r) {
         const QRectF line(0, head() + (r - first) * row, width() - px(12), row);
-        const bool here = r == row_;
+        const bool here = marked && r == row_;
         w.fill(line, here ? t.mark : r % 2 ? t.card : (t.dark ? t.card.lighter(108) : t.card.darker(102)));
         for (int c = 0; c < last; ++c) {
             const Cell one = cell(r, c);

@@ -39,6 +39,7 @@ public:
     QString whyEmpty() const { return ofMachine && !noMachine.isEmpty() ? noMachine : nothing; }
     bool isEmpty() const { return count() == 0; }
     bool byCell = false;
+    bool marked = true;                         // its row is bright: what is chosen stands in this list
     bool focused = false;                       // of several lists the one that keys go to: a frame
 
     int row() const { return row_; }

@@ -33,9 +33,13 @@ protected:
 
 private:
     void changed();
+    void write(const QString& text);               // where the caret stands
+    void erase(qsizetype from);                    // the letter there
+    void move(qsizetype to);
     FreeSheet* line_;
     TextPad* pad_;
     TextQuestion question_;
+    qsizetype caret_ = 0;                          // letters before it
 };
 
 }  // namespace polyturn::hmi

@@ -1,5 +1,7 @@
 // Keys for a finger where a text is entered: letters, digits, signs. What is typed goes to whoever owns the text, as if from a keyboard.
 #pragma once
+#include <array>
+
 #include "hmi/widgets/sheet.hpp"
 
 namespace polyturn::hmi {
@@ -10,8 +12,11 @@ public:
     std::function<void(const QString&)> onText;
     std::function<void()> onBackspace, onEnter;
     QString enterText;             // of the Enter key; empty: «Enter»
+    std::function<void(int)> onMove;   // by so many letters; empty: one writes at the end
     bool capitals = false;         // only capital letters: programs
-    static constexpr int kShift = 1000;   // its number for a touch
+    bool national = false;         // has the letters of the language of the screens, and a key that changes to Latin ones
+    bool latin = true;             // those are there now
+    static constexpr int kShift = 1000, kLetters = 1004, kLeft = 1005, kRight = 1006;   // numbers for a touch
     int hitOf(QChar key) const;    // for tests; -1: no such key now
 
 protected:
@@ -20,6 +25,7 @@ protected:
 
 private:
     static QChar shifted(QChar key);
+    const std::array<QString, 4>& rows() const;
     bool shift_ = false;
 };
 

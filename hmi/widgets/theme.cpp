@@ -156,6 +156,10 @@ void drawSign(QPainter& p, const QRectF& box, Sign sign, const QColor& colour) {
             p.drawRoundedRect(QRectF(2, 3.5, 20, 17), 2.5, 2.5);
             polyline({{4.5, 13}, {8, 13}, {10, 7.5}, {13.5, 17}, {15.5, 11}, {16.5, 13}, {19.5, 13}});
             break;
+        case Sign::Bin:
+            p.drawLine(QPointF(4, 6.5), QPointF(20, 6.5)), polyline({{9, 6}, {9.5, 3}, {14.5, 3}, {15, 6}}), polyline({{6, 7}, {7, 21}, {17, 21}, {18, 7}});
+            p.drawLine(QPointF(10.3, 11), QPointF(10.6, 17)), p.drawLine(QPointF(13.7, 11), QPointF(13.4, 17));
+            break;
         case Sign::None: break;
     }
     p.restore();

@@ -9,6 +9,9 @@ namespace polyturn::hmi {
 struct Theme {
     bool dark;
     QColor window, bar, card, raised, edge, text, dim, faint, accent, onAccent, good, warn, bad, wait, mark;
+    // Of a field where something is entered: unlike that of keys.
+    const QColor& entry() const { return dark ? window : card; }
+    const QColor& entryEdge() const { return dark ? edge : faint; }
 };
 
 const Theme& theme();
@@ -23,7 +26,7 @@ QFont lettering(double units, bool bold = false, Face face = Face::Text);
 
 enum class Sign : std::uint8_t {
     None, Run, Hold, Wait, Stop, Ended, Alarm, Warning, Note, Reset, Off, Good, Overview, Manual, Programs, Offsets, Tools, Parameters, Graphics, Bell,
-    Left, Right, Up, Down, Lock, Sun, Moon, Tongue, Key, Spindle, Feed, Help, Diagnosis, Undo,
+    Left, Right, Up, Down, Lock, Sun, Moon, Tongue, Key, Spindle, Feed, Help, Diagnosis, Undo, Bin,
 };
 void drawSign(QPainter& painter, const QRectF& box, Sign sign, const QColor& colour);
 

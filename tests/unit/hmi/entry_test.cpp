@@ -131,6 +131,40 @@ TEST_F(Entry, SignsOfProgramsAreTypedByTouch) {
     }
 }
 
+// Words are searched for in the language of the screens; blocks and names of programs have Latin letters.
+TEST_F(Entry, LettersOfTheLanguageAndACaretThatMoves) {
+    window->setTongue(Tongue::Russian);
+    QString typed;
+    Operator hand(*window);
+    window->desk().ask({"x", {}, [&](const QString& text) { typed = text; }, {}});
+    TextPad& pad = window->entry().pad();
+    for (const QChar key : QString::fromUtf8("ось")) hand.touch(&pad, pad.hitOf(key));
+    hand.touch(&pad, TextPad::kLetters);
+    EXPECT_LT(pad.hitOf(QChar(u'ж')), 0);
+    hand.touch(&pad, pad.hitOf('x'));
+    hand.touch(&pad, TextPad::kLeft), hand.touch(&pad, TextPad::kLeft);
+    hand.touch(&pad, pad.hitOf('1'));
+    EXPECT_EQ(typed, QString::fromUtf8("ос1ьx"));
+    hand.key(Qt::Key_Right), hand.key(Qt::Key_Backspace);
+    EXPECT_EQ(typed, QString::fromUtf8("ос1x"));
+    EXPECT_TRUE(pad.overlapping().empty());
+    hand.key(Qt::Key_Escape);
+    TextQuestion block{"x", {}, [&](const QString& text) { typed = text; }, {}};
+    block.capitals = true;
+    window->desk().ask(block);
+    EXPECT_TRUE(pad.boxOf(TextPad::kLetters).isEmpty());
+    hand.touch(&pad, pad.hitOf('g'));
+    EXPECT_EQ(typed, "G");
+    hand.key(Qt::Key_Escape);
+    for (const auto& [tongue, letters] : {std::pair{Tongue::Czech, "ěščřžýáíéúůďťňó"}, {Tongue::Hungarian, "áéíóöőúüű"}}) {
+        window->setTongue(tongue);
+        window->desk().ask({"x", {}, {}, {}});
+        for (const QChar one : QString::fromUtf8(letters)) EXPECT_GE(window->entry().pad().hitOf(one), 0) << QString(one).toStdString();
+        window->entry().shut(false);
+    }
+    window->setTongue(Tongue::English);
+}
+
 TEST(EntrySources, NoFieldIsDrawnByHand) {
     for (QDirIterator files(QString(kSourceFolder) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());

@@ -30,6 +30,13 @@ TEST_F(ToolTasks, ATurretShowsItsStationsAndWhatStandsThere) {
     ASSERT_NE(tools.picture().chosen(), nullptr);
     EXPECT_EQ(tools.picture().chosen()->kind, static_cast<std::uint32_t>(PlaceKind::Turret));
     for (int station = 1; station <= 12; ++station) EXPECT_FALSE(tools.picture().boxOf(tools.picture().placeHit(station)).isEmpty()) << station;
+    window->resize(768, 1024);
+    hand.screen("tools");
+    int named = 0;
+    for (const Item& item : tools.picture().items()) named += item.text == "ROUGH_80";
+    EXPECT_EQ(named, 2) << "in the middle, and in the place itself";
+    window->resize(1280, 800);
+    hand.screen("tools");
     EXPECT_EQ(tools.list().rows(), 3);
     EXPECT_EQ(toolWords(row(3)).sign, Sign::Warning) << "as its colour";
     EXPECT_NEAR(lifeLeft(row(3)), 1.0 / 45, 1e-9);
@@ -60,7 +67,46 @@ TEST_F(ToolTasks, NamesInAChainCanBeRead) {
             named += item.text == "GROOVE_3";
         }
         EXPECT_GE(named, 1) << size.width();
+        const auto& places = live().places();
+        for (std::size_t i = 0; i < places.count; ++i) {   // of a matrix all that have room
+            if (static_cast<PlaceKind>(places.places[i].kind) != PlaceKind::Matrix) continue;
+            tools.picture().show(places.places[i].magazine);
+            EXPECT_FALSE(tools.picture().boxOf(tools.picture().placeHit(places.places[i].pot)).isEmpty()) << size.width() << " " << places.places[i].pot;
+        }
     }
+}
+
+// One is chosen, in the picture or in the list: a place without a tool has no row, and says why nothing is loaded there.
+TEST_F(ToolTasks, AnEmptyPlaceMarksNoRow) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.touch(&tools.picture(), tools.picture().placeHit(1));
+    frames(*window);
+    EXPECT_TRUE(tools.list().marked);
+    hand.touch(&tools.picture(), tools.picture().placeHit(2));
+    frames(*window);
+    EXPECT_FALSE(tools.list().marked);
+    EXPECT_TRUE(standsOn(tools.sheets(), "M1 / 2"));
+    EXPECT_TRUE(standsOn(tools.sheets(), "To load: choose a tool without a place in the list"));
+}
+
+// A text has letters in the place of a number's keys, and what is typed stands beside what was there.
+TEST_F(ToolTasks, ATextShowsWhatIsTyped) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.soft("Tool data");
+    tools.table().choose(0);   // the name
+    hand.type("AB");
+    frames(*window);
+    EXPECT_FALSE(standsOn(tools.sheets(), "Choose a field"));
+    EXPECT_TRUE(standsOn(tools.sheets(), "AB"));
+    EXPECT_TRUE(standsOn(tools.sheets(), "ROUGH_80"));
+    tools.table().choose(1);
+    frames(*window);
+    EXPECT_TRUE(standsOn(tools.sheets(), "Input"));
+    EXPECT_FALSE(standsOn(tools.sheets(), "+ Input")) << "to the number by which it is called nothing is added";
 }
 
 TEST_F(ToolTasks, AToolIsLoadedByKeysAlone) {
