@@ -7,6 +7,7 @@
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/operations/upright.hpp"
@@ -66,6 +67,7 @@ void Service::send_answers() {
 
 std::string Service::operate(const std::string& text, const StoreRequest& request) {
     Work work{values_, machine_, disk_, {static_cast<UserLevel>(request.level), request.user, user_name(request)}, files_.machine_folder, instance_, {}, {}, {}, {}, false, {}};
+    work.compensation_file = compensation_file(supervisor_->options);
     work.position = [this](unsigned axis) -> std::optional<double> {
         if (!kernel_.attached() || axis < 1 || axis > kMaxAxes) return {};
         const auto status = std::make_unique<MachineStatus>();

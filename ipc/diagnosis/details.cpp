@@ -50,6 +50,13 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"this controller keeps no log of stops", "эта система не ведёт журнала простоев", "tento řídicí systém nevede deník stání", "ez a vezérlés nem vezet állásnaplót"}},
     {{"there is nothing to take back", "нечего отменять", "není co vrátit", "nincs mit visszavonni"}},
     {{"{0} is {1} now: something else has changed it since {2}", "{0} теперь {1}: с {2} это изменили иначе", "{0} je nyní {1}: od {2} to změnilo něco jiného", "{0} most {1}: {2} óta más módosította"}},
+    // tables of measured errors
+    {{"no cell of the table: {0}", "такой ячейки в таблице нет: {0}", "taková buňka v tabulce není: {0}", "a táblázatban nincs ilyen cella: {0}"}},
+    {{"L{0}: the grid has no point {1}", "L{0}: в сетке нет точки {1}", "L{0}: mřížka nemá bod {1}", "L{0}: a rácsnak nincs {1}. pontja"}},
+    {{"L{0}: point {1} is machine zero and must be 0 0 0", "L{0}: точка {1} — нуль станка, в ней должно быть 0 0 0", "L{0}: bod {1} je nula stroje a musí být 0 0 0", "L{0}: a(z) {1}. pont a gépi nullpont, értéke 0 0 0 kell legyen"}},
+    {{"L{0}: point {1} of the grid has no value", "L{0}: у точки {1} сетки нет значения", "L{0}: bod {1} mřížky nemá hodnotu", "L{0}: a rács {1}. pontjának nincs értéke"}},
+    {{"{0}: cell {1} has no value", "{0}: у ячейки {1} нет значения", "{0}: buňka {1} nemá hodnotu", "{0}: a(z) {1} cellának nincs értéke"}},
+    {{"{0}: cyclic, but cell {1} differs from cell {2} at machine zero", "{0}: таблица повторяется, но ячейка {1} не равна ячейке {2} в нуле станка", "{0}: tabulka se opakuje, ale buňka {1} se liší od buňky {2} v nule stroje", "{0}: ismétlődő, de a(z) {1} cella eltér a gépi nullpont {2} cellájától"}},
     // what the store's file says (SQLite), and files of the presetter and of channels
     {{"unable to open database file", "файл хранилища не открыть", "soubor úložiště nelze otevřít", "a tároló fájlja nem nyitható meg"}},
     {{"{0} (unable to open database file)", "{0} (файл не открыть)", "{0} (soubor nelze otevřít)", "{0} (a fájl nem nyitható meg)"}},

@@ -1,10 +1,14 @@
 #include "ipc/machine/compensation_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "ipc/machine/compensation_tables.hpp"
 
@@ -13,10 +17,18 @@ namespace {
 
 using namespace params;
 
-std::string line_of(std::int64_t cell, float value) {
+using GridPoint = std::array<float, 3>;
+using GridKey = std::pair<unsigned, std::int64_t>;   // channel, number
+constexpr float kNotGiven = std::numeric_limits<float>::quiet_NaN();
+
+std::string cell_text(float value) {
     char digits[32];
-    const auto done = std::to_chars(digits, digits + sizeof digits, value);
-    return std::to_string(cell) + "=" + std::string(digits, done.ptr) + "\n";
+    const auto done = std::to_chars(digits, digits + sizeof digits, value == 0 ? 0.0F : value);   // no -0
+    return {digits, done.ptr};
+}
+std::string line_of(std::int64_t cell, float value) { return std::to_string(cell) + "=" + cell_text(value) + "\n"; }
+std::string line_of(const GridKey& point, const GridPoint& value) {
+    return "3D L" + std::to_string(point.first) + " " + std::to_string(point.second) + "=" + cell_text(value[0]) + " " + cell_text(value[1]) + " " + cell_text(value[2]) + "\n";
 }
 
 // The cell that a line of the file is about; 0: none.
@@ -27,6 +39,26 @@ std::int64_t cell_of(std::string_view line) {
     line.remove_prefix(static_cast<std::size_t>(end - line.data()));
     while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
     return error == std::errc{} && line.starts_with("=") ? cell : 0;
+}
+
+// The point that a line of the file is about; channel 0: none.
+GridKey grid_point_of(std::string_view line) {
+    const auto blanks = [&] { while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == ',')) line.remove_prefix(1); };
+    const auto take = [&](std::string_view word) {
+        blanks();
+        const bool there = line.starts_with(word);
+        if (there) line.remove_prefix(word.size());
+        return there;
+    };
+    const auto number = [&](auto& out) {
+        blanks();
+        if (line.starts_with('+')) line.remove_prefix(1);
+        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), out);
+        line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+        return error == std::errc{};
+    };
+    GridKey out;
+    return take("3D") && take("L") && number(out.first) && number(out.second) && take("=") ? out : GridKey{};
 }
 
 void use(std::map<std::int64_t, float>& values, std::int64_t first, std::int64_t last) {
@@ -63,10 +95,36 @@ std::optional<CellEntry> cell_entry(std::string_view line) {
     return entry;
 }
 
-std::string with_cells(std::string_view content, const Table& parameters, std::span<const CellEntry> entries) {
+std::string with_cells(std::string_view content, const Table& parameters, std::span<const CellEntry> entries, std::span<const PointEntry> points, Gaps gaps) {
+    std::vector<Diagnosis> ignored;   // lines that cannot be read stay as they are; whoever checks the file says what is wrong with them
+    const CompensationTables before = parse_compensation(content, {}, ignored);
     std::map<std::int64_t, float> values;
+    std::map<GridKey, GridPoint> grid;
     for (const CellEntry& entry : entries) values.insert_or_assign(entry.cell, entry.value);
-    if (content.empty()) use_tables(values, parameters);
+    const auto was = [&](const GridKey& key) {
+        const auto& all = before.points[key.first - 1];
+        const auto number = static_cast<std::size_t>(key.second);
+        return number < all.size() ? all[number] : GridPoint{kNotGiven, kNotGiven, kNotGiven};
+    };
+    const auto given = [&](const GridKey& key) {   // its other two stay
+        GridPoint out = was(key);
+        for (float& one : out) one = std::isnan(one) ? 0.0F : one;
+        return out;
+    };
+    for (const PointEntry& entry : points) {
+        if (entry.channel < 1 || entry.channel > kMaxChannels || entry.point < 0 || entry.point >= kMostGridPoints || entry.component > 2) continue;
+        const GridKey key{entry.channel, entry.point};
+        grid.try_emplace(key, given(key)).first->second[entry.component] = entry.value;
+    }
+    if (content.empty() || gaps == Gaps::Filled) {
+        std::map<std::int64_t, float> used;
+        use_tables(used, parameters);
+        for (const auto& [cell, none] : used)
+            if (std::isnan(before.cells[static_cast<std::size_t>(cell - kFirstCell)])) values.emplace(cell, none);
+        for (unsigned l = 1; l <= kMaxChannels; ++l)
+            for (std::int64_t n = 0, count = compensation_grid(parameters, l).points(); n < count; ++n)
+                if (const GridKey key{l, n}; std::isnan(was(key)[0])) grid.try_emplace(key, GridPoint{});
+    }
     std::string out;
     while (!content.empty()) {
         const std::size_t end = std::min(content.find('\n'), content.size());
@@ -75,11 +133,15 @@ std::string with_cells(std::string_view content, const Table& parameters, std::s
         if (const auto found = values.find(cell_of(line)); found != values.end()) {
             out += line_of(found->first, found->second);
             values.erase(found);
+        } else if (const auto point = grid.find(grid_point_of(line)); point != grid.end()) {
+            out += line_of(point->first, point->second);
+            grid.erase(point);
         } else {
             out.append(line) += '\n';
         }
     }
     for (const auto& [cell, value] : values) out += line_of(cell, value);
+    for (const auto& [point, value] : grid) out += line_of(point, value);
     return out;
 }
 

@@ -11,10 +11,10 @@ namespace polyturn {
 namespace {
 
 using namespace params;
-constexpr std::int64_t kMostPoints = 1'000'000;
 constexpr std::array kGridAxis{n2700_1st_axis_of_3d_compensation, n2701_2nd_axis_of_3d_compensation, n2702_3rd_axis_of_3d_compensation};
 constexpr std::array kGridPoints{n2703_no_of_points_on_1st_axis, n2704_no_of_points_on_2nd_axis, n2705_no_of_points_on_3rd_axis};
 constexpr std::array kGridZero{n2706_point_no_of_machine_zero_on_1st_axis, n2707_point_no_of_machine_zero_on_2nd_axis, n2708_point_no_of_machine_zero_on_3rd_axis};
+constexpr std::array kGridInterval{n2709_comp_interval_on_1st_axis, n2710_comp_interval_on_2nd_axis, n2711_comp_interval_on_3rd_axis};
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 // One line, read from the left.
@@ -73,7 +73,7 @@ std::string take_point(Line& line, CompensationTables& tables) {
     if (!line.take("L") || !line.number(channel) || !line.number(point) || !line.take("=") || !line.number(value[0]) || !line.number(value[1]) || !line.number(value[2]))
         return "a line reads 3D LCHANNEL POINT=X Y Z";
     if (channel < 1 || channel > kMaxChannels) return "no such channel";
-    if (point < 0 || point >= kMostPoints) return "no such point";
+    if (point < 0 || point >= kMostGridPoints) return "no such point";
     auto& points = tables.points[channel - 1];
     if (points.size() <= static_cast<std::size_t>(point)) points.resize(static_cast<std::size_t>(point) + 1, {kNone, kNone, kNone});
     if (!std::isnan(points[static_cast<std::size_t>(point)][0])) return "point " + std::to_string(point) + " has a value already";
@@ -82,6 +82,29 @@ std::string take_point(Line& line, CompensationTables& tables) {
 }
 
 }  // namespace
+
+std::int64_t CompensationGrid::points() const {
+    std::int64_t all = described() ? 1 : 0;
+    for (const std::int64_t one : count) {
+        if (one > kMostGridPoints) return 0;
+        all *= one;
+        if (all > kMostGridPoints) return 0;
+    }
+    return all;
+}
+
+CompensationGrid compensation_grid(const Table& t, unsigned channel) {
+    CompensationGrid out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = get(t, kGridAxis[i], channel);
+        if (axis < 1 || axis > static_cast<std::int64_t>(kMaxAxes)) continue;
+        out.axis[i] = static_cast<unsigned>(axis);
+        out.count[i] = std::max<std::int64_t>(1, get(t, kGridPoints[i], channel));
+        out.zero[i] = get(t, kGridZero[i], channel);
+        out.interval[i] = get(t, kGridInterval[i], channel);
+    }
+    return out;
+}
 
 std::string compensation_file_of(std::string_view params_file) {
     if (params_file.empty()) return {};
@@ -146,15 +169,12 @@ void check_compensation_tables(const Table& t, const CompensationTables& tables,
             const auto first = get(t, nth(n2613_smallest_cell_no_of_moving_axis_1, g), l);
             gaps(first, first + get(t, n2504_primary_largest_cell_no, m) - get(t, n2503_primary_smallest_cell_no, m), "L" + std::to_string(l) + " pair " + std::to_string(g));
         }
-        if (get(t, n2700_1st_axis_of_3d_compensation, l) == 0) continue;
-        std::int64_t count = 1;
-        for (unsigned n = 1; n <= 3; ++n)
-            if (get(t, kGridAxis[n - 1], l)) count *= std::max<std::int64_t>(1, get(t, kGridPoints[n - 1], l));
+        const CompensationGrid grid = compensation_grid(t, l);
+        const std::int64_t count = grid.points();
+        if (count == 0) continue;
         const auto& points = tables.points[l - 1];
         // Machine zero is where it is: its point corrects nothing.
-        std::int64_t zero = 0, stride = 1;
-        for (unsigned n = 1; n <= 3; ++n)
-            if (get(t, kGridAxis[n - 1], l)) zero += stride * get(t, kGridZero[n - 1], l), stride *= std::max<std::int64_t>(1, get(t, kGridPoints[n - 1], l));
+        const std::int64_t zero = grid.number(grid.zero);
         if (zero >= 0 && zero < static_cast<std::int64_t>(points.size()))
             for (const float value : points[static_cast<std::size_t>(zero)])
                 if (value != 0 && !std::isnan(value)) {

@@ -22,6 +22,7 @@
 namespace polyturn {
 
 inline constexpr std::int64_t kFirstCell = 10000, kLastCell = 29999;
+inline constexpr std::int64_t kMostGridPoints = 1'000'000;
 
 struct CompensationTables {
     bool measured = false;                                     // there was a file
@@ -35,6 +36,19 @@ struct CompensationTables {
         return value == value ? value : 0.0;
     }
 };
+
+// The grid of a channel as its parameters lay it out (nct_parameters_part2 28). An axis that it does not have counts one point.
+struct CompensationGrid {
+    std::array<unsigned, 3> axis{};                            // from 1; 0: none
+    std::array<std::int64_t, 3> count{1, 1, 1}, zero{};
+    std::array<double, 3> interval{1, 1, 1};
+
+    bool described() const { return axis[0] || axis[1] || axis[2]; }
+    // As the file counts them; 0: there is none, or so many that no file holds them.
+    std::int64_t points() const;
+    std::int64_t number(const std::array<std::int64_t, 3>& place) const { return place[0] + count[0] * (place[1] + count[1] * place[2]); }
+};
+CompensationGrid compensation_grid(const params::Table& table, unsigned channel);
 
 // "…/machine.params" gives "…/machine.compensation".
 std::string compensation_file_of(std::string_view params_file);

@@ -162,7 +162,9 @@ int import_compensation(const ParamsOptions& options, const std::string& path, c
         if (!table) return 2;
         check_compensation_tables(*table, tables, path, faults);
         if (tell(faults)) return 2;
-        if (const int failed = rewrite(base + ".compensation", content)) return failed;
+        // By the store, which writes what programs and operators enter into the same file.
+        const nlohmann::json request = {{"do", "store"}, {"op", {{"do", "compensation.import"}, {"file", std::filesystem::absolute(path).string()}}}};
+        if (!ask(options.instance, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))) return 2;
         print(fmt::format(fmt::runtime(say("{}: acts as soon as the axes rest\n")), base + ".compensation"));
         return 0;
     }

@@ -27,6 +27,7 @@ constexpr Row kRows[] = {
     {"parts.measure", UserLevel::Operator, part_operation}, {"parts.accept", UserLevel::Operator, part_operation}, {"parts.", UserLevel::Setter, part_operation},
     {"users.login", UserLevel::None, user_operation},      {"users.password", UserLevel::None, user_operation}, {"users.", UserLevel::Maker, user_operation},
     {"pallets.list", UserLevel::None, pallet_operation},   {"pallets.", UserLevel::Operator, pallet_operation}, {"backup.", UserLevel::Setter, backup_operation},
+    {"compensation.", UserLevel::Maker, compensation_operation},
     {"restore.", UserLevel::Maker, backup_operation},      {"stops.", UserLevel::None, stop_operation},          {"alarms.", UserLevel::None, alarm_operation},
 };
 

@@ -61,6 +61,7 @@ struct Work {
     std::vector<Fault> faults;
     bool keep = false;                                // what changed stays though the answer is a refusal (failed logins)
     std::vector<std::function<Result<void>()>> after; // once the changes are on disk
+    std::string compensation_file = {};               // of measured errors; empty: the machine has no folder, or stays as it is
 
     void fault(Diagnosis diagnosis, int row = 0, std::string column = {}) { faults.push_back({std::move(diagnosis), row, std::move(column)}); }
     void fault(Alarm alarm, std::string detail, int row = 0, std::string column = {}) { fault(Diagnosis{alarm, {}, {}, std::move(detail)}, row, std::move(column)); }
@@ -83,6 +84,7 @@ Json alarm_operation(std::string_view what, const Json& request, Work& work);
 Json stop_operation(std::string_view what, const Json& request, Work& work);
 Json user_operation(std::string_view what, const Json& request, Work& work);
 Json pallet_operation(std::string_view what, const Json& request, Work& work);
+Json compensation_operation(std::string_view what, const Json& request, Work& work);
 Json backup_operation(std::string_view what, const Json& request, Work& work);
 
 // "what" or a fault that says which key is missing or of the wrong kind.

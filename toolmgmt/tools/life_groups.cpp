@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int32_t kMostGroups = 9999;
 
-Diagnosis refused(std::string why) { return Diagnosis{Alarm::StoreRequestBad, {}, {}, std::move(why)}; }
+Diagnosis group_refused(std::string why) { return Diagnosis{Alarm::StoreRequestBad, {}, {}, std::move(why)}; }
 
 // Tools of another unit's channels have groups of their own.
 bool of_channel(const StoreValues& values, const ToolRow& row, unsigned channel) {
@@ -44,16 +44,16 @@ Result<Applied> apply_life_group(const StoreRequest& request, StoreValues& value
     const unsigned channel = request.channel;
     const auto step = static_cast<LifeGroupStep>(request.field % 16);
     const std::int32_t kind = request.field / 16, group = request.number;
-    if (channel < 1 || channel > kMaxChannels) return refused("tool life groups of no channel");
+    if (channel < 1 || channel > kMaxChannels) return group_refused("tool life groups of no channel");
     if (step == LifeGroupStep::ForgetAll) return forget(values, channel, 0, applied.changes), applied;
-    if (group < 1 || group > kMostGroups) return refused("tool life group " + std::to_string(group));
+    if (group < 1 || group > kMostGroups) return group_refused("tool life group " + std::to_string(group));
     if (step == LifeGroupStep::Forget || step == LifeGroupStep::Open) return forget(values, channel, group, applied.changes), applied;
     int offset = 0, order = 0;
     double life = 0;
     const std::string text(request.name.data(), ::strnlen(request.name.data(), request.name.size()));
     if (step != LifeGroupStep::Tool || std::sscanf(text.c_str(), "%d %d %lf", &offset, &order, &life) != 3 || offset < 0 || order < 1 || !(life >= 0) || !std::isfinite(life) ||
         kind > static_cast<std::int32_t>(LifeKind::Wear) || !std::isfinite(request.value))
-        return refused("a tool of tool life group " + std::to_string(group));
+        return group_refused("a tool of tool life group " + std::to_string(group));
     const TurretOf turret = turret_of(values.parameters, channel);
     const auto places = std::make_unique<ToolPlaceTable>();
     derive_places(values, *places);

@@ -46,5 +46,40 @@ TEST(CompensationCells, BeginATableWithoutGaps) {
     EXPECT_TRUE(faults.empty());
 }
 
+// A grid of L1 over A1 and A2, 3 by 2 points.
+std::unique_ptr<params::Table> with_grid() {
+    auto table = machine();
+    params::put(*table, params::n2700_1st_axis_of_3d_compensation, 1, 1);
+    params::put(*table, params::n2702_3rd_axis_of_3d_compensation, 2, 1);
+    params::put(*table, params::n2703_no_of_points_on_1st_axis, 3, 1);
+    params::put(*table, params::n2704_no_of_points_on_2nd_axis, 7, 1);   // of no axis: counts one
+    params::put(*table, params::n2705_no_of_points_on_3rd_axis, 2, 1);
+    return table;
+}
+
+TEST(CompensationCells, APointOfAGridKeepsItsOtherTwoCorrections) {
+    const auto table = with_grid();
+    const std::vector<PointEntry> points = {{1, 4, 2, 0.25F}, {2, 0, 0, 1.0F}, {1, 4, 0, 0.5F}};
+    EXPECT_EQ(with_cells("; gauge 7\n10000=0\n3D L1 3=0 0 0\n 3D L1 4 = 9, -0.5 8 ; old\n3D L2 4=1 1 1\n", *table, {}, points),
+              "; gauge 7\n10000=0\n3D L1 3=0 0 0\n3D L1 4=0.5 -0.5 0.25\n3D L2 4=1 1 1\n3D L2 0=1 0 0\n");
+}
+
+TEST(CompensationCells, LeaveNoGapsWhereTheyAreFilled) {
+    const auto table = with_grid();
+    EXPECT_EQ(compensation_grid(*table, 1).points(), 6);
+    const std::vector<PointEntry> points = {{1, 5, 0, 0.001F}};
+    const std::string text = with_cells("10001=0.5\n3D L1 0=0 0 0\n", *table, {}, points, Gaps::Filled);
+    EXPECT_EQ(text, "10001=0.5\n3D L1 0=0 0 0\n10000=0\n10002=0\n10003=0\n3D L1 1=0 0 0\n3D L1 2=0 0 0\n3D L1 3=0 0 0\n3D L1 4=0 0 0\n3D L1 5=0.001 0 0\n");
+    std::vector<Diagnosis> faults;
+    check_compensation_tables(*table, parse_compensation(text, "x", faults), "x", faults);
+    EXPECT_TRUE(faults.empty());
+    // A grid without its first axis is a grid, too.
+    params::put(*table, params::n2700_1st_axis_of_3d_compensation, 0, 1);
+    params::put(*table, params::n2701_2nd_axis_of_3d_compensation, 1, 1);
+    check_compensation_tables(*table, parse_compensation(text, "x", faults), "x", faults);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].detail, "L1: point 6 of the grid has no value");
+}
+
 }  // namespace
 }  // namespace polyturn

@@ -24,6 +24,7 @@ struct ToolRig {
     MachineConfig machine;
     Json answer;
     std::vector<toolmgmt::Fault> faults;
+    std::string compensation_file;
     std::function<std::optional<double>(unsigned)> position;
     std::function<std::optional<toolmgmt::Touch>(unsigned)> touch;
 
@@ -42,7 +43,10 @@ struct ToolRig {
     // True when it was done; what was changed is taken back otherwise, as the service does.
     bool run(const Json& request, UserLevel level = UserLevel::Maker) {
         toolmgmt::Work work{*values, machine, nullptr, {level, 0, "tester"}, {}, {}, position, touch, {}, {}, false, {}};
+        work.compensation_file = compensation_file;
         answer = toolmgmt::run_operation(request, work);
+        for (const auto& act : work.after)
+            if (const Result<void> done = work.good() && !compensation_file.empty() ? act() : Result<void>{}; !done) work.fault(done.diagnosis());
         faults = work.faults;
         if (!work.good() && !work.keep)
             for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at) toolmgmt::write_value(*values, at->key, at->before, at->text_before, at->is_text);

@@ -1,0 +1,104 @@
+// Measured errors that an operator enters or imports: cells of pitch and straightness tables, points of a grid (nct_parameters_part2 26 to
+// 28). They are kept in the machine's own file; the kernel takes it when all axes rest.
+//
+//   {"do":"compensation.set","cells":[[10500,0.0012]],"points":[[1,17,0,0.001]]}   points: channel, point, component 0 to 2, value
+//   {"do":"compensation.import","file":"/usb/measured.compensation"}               whole; it must fit the parameters
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/compensation_cells.hpp"
+#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/text/read_file.hpp"
+#include "ipc/text/replace_file.hpp"
+#include "toolmgmt/cell_requests.hpp"
+#include "toolmgmt/operations/operation.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+// A row of numbers, so many of them; whole but for the last one, which is a value.
+bool read_row(const Json& row, std::size_t count, std::vector<double>& out, Work& work, const char* column) {
+    out.clear();
+    bool good = row.is_array() && row.size() == count;
+    for (std::size_t i = 0; good && i < count; ++i) {
+        good = row[i].is_number();
+        if (good) out.push_back(row[i].get<double>());
+        good = good && (i + 1 == count ? std::abs(out[i]) <= static_cast<double>(std::numeric_limits<float>::max()) : out[i] == std::trunc(out[i]) && std::abs(out[i]) < 1e9);
+    }
+    if (!good) work.fault(Alarm::StoreRequestBad, std::string(column) + ": not a number", 0, column);
+    return good;
+}
+
+void wrong_table(Work& work, std::string detail, const char* column) { work.fault(Diagnosis{Alarm::CompensationTable, {}, {}, std::move(detail)}, 0, column); }
+
+Json set_cells(const Json& request, Work& work) {
+    std::vector<CellEntry> cells;
+    std::vector<PointEntry> points;
+    std::vector<double> row;
+    const Json none = Json::array();
+    for (const Json& one : request.contains("cells") ? request["cells"] : none) {
+        if (!read_row(one, 2, row, work, "cells")) continue;
+        cells.push_back({static_cast<std::int64_t>(row[0]), static_cast<float>(row[1])});
+        if (const auto cell = cells.back().cell; cell < kFirstCell || cell > kLastCell) wrong_table(work, "no cell of the table: " + std::to_string(cell), "cells");
+    }
+    for (const Json& one : request.contains("points") ? request["points"] : none) {
+        if (!read_row(one, 4, row, work, "points")) continue;
+        const auto channel = static_cast<std::int64_t>(row[0]), number = static_cast<std::int64_t>(row[1]), component = static_cast<std::int64_t>(row[2]);
+        if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists()) {
+            work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist", 0, "points");
+            continue;
+        }
+        const CompensationGrid grid = compensation_grid(work.values.parameters, static_cast<unsigned>(channel));
+        const std::string where = "L" + std::to_string(channel) + ": ";
+        if (number < 0 || number >= grid.points() || component < 0 || component > 2 || grid.axis[static_cast<std::size_t>(component)] == 0)
+            wrong_table(work, where + "the grid has no point " + std::to_string(number), "points");
+        else if (number == grid.number(grid.zero) && row[3] != 0)
+            wrong_table(work, where + "point " + std::to_string(number) + " is machine zero and must be 0 0 0", "points");
+        else
+            points.push_back({static_cast<unsigned>(channel), number, static_cast<unsigned>(component), static_cast<float>(row[3])});
+    }
+    if (work.good() && cells.empty() && points.empty()) work.fault(Alarm::StoreRequestBad, "cells is missing", 0, "cells");
+    if (work.good() && work.compensation_file.empty()) wrong_table(work, "the machine has no folder for it", "");
+    if (!work.good()) return {};
+    const Result<std::string> content = read_compensation(work.compensation_file);
+    if (!content) return work.fault(content.diagnosis()), Json();
+    std::string text = with_cells(*content, work.values.parameters, cells, points, Gaps::Filled);
+    Json answer = {{"cells", cells.size() + points.size()}};
+    // Kept nevertheless: of a table that repeats, both ends have to change, one after the other. The kernel goes on with what it has until
+    // the table is right.
+    std::vector<Diagnosis> faults;
+    check_compensation_tables(work.values.parameters, parse_compensation(text, {}, faults), {}, faults);
+    if (!faults.empty()) {
+        const Json told = Json::parse(answer_text({}, {Fault{faults.front(), 0, {}}}));
+        answer["warning"] = told["text"], answer["warning_number"] = told["number"];
+    }
+    work.after.push_back([path = work.compensation_file, text = std::move(text)] { return text::replace_file(path, text); });
+    return answer;
+}
+
+Json import_cells(const Json& request, Work& work) {
+    const std::string file = read_text(request, "file");
+    if (file.empty()) return work.fault(Alarm::StoreRequestBad, "file is missing", 0, "file"), Json();
+    if (work.compensation_file.empty()) return wrong_table(work, "the machine has no folder for it", ""), Json();
+    Result<std::string> text = text::read_text_file(file);
+    if (!text) return work.fault(text.diagnosis()), Json();
+    std::vector<Diagnosis> faults;
+    check_compensation_tables(work.values.parameters, parse_compensation(*text, file, faults), file, faults);
+    constexpr std::size_t kMostFaults = 20;
+    for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i) work.fault(faults[i], static_cast<int>(faults[i].place.line));
+    if (!work.good()) return {};
+    work.after.push_back([path = work.compensation_file, text = std::move(*text)] { return text::replace_file(path, text); });
+    return {{"file", work.compensation_file}};
+}
+
+}  // namespace
+
+Json compensation_operation(std::string_view what, const Json& request, Work& work) {
+    if (what == "set") return set_cells(request, work);
+    if (what == "import") return import_cells(request, work);
+    return work.fault(Alarm::StoreRequestBad, "compensation." + std::string(what)), Json();
+}
+
+}  // namespace polyturn::toolmgmt
