@@ -57,7 +57,7 @@ void Compensation::configure(const p::Table& t, const KernelConfig& config) noex
         const AxisConfig& home = config.axes[a - 1];
         axis.used = false;
         if (!home.exists) continue;
-        const double unit = home.inch ? kMmPerInch : 1.0;
+        const double unit = axis.unit = home.inch ? kMmPerInch : 1.0;
         axis.pitch.on = p::bit(t, p::n2500_pitch_comp_contr, a, 0);
         axis.pitch.both = p::bit(t, p::n2500_pitch_comp_contr, a, 1);
         axis.pitch.interval = std::max(p::get(t, p::n2501_primary_interval, a) * unit, 1e-6);
@@ -146,7 +146,7 @@ void Compensation::add_grid(const Core& core, std::size_t l) noexcept {
         for (std::size_t n = 0; n < 3; ++n) sum[n] += weight * static_cast<double>(points[index][n]);
     }
     for (std::size_t n = 0; n < 3; ++n)
-        if (grid.axis[n]) axes_[grid.axis[n] - 1].wanted += sum[n];
+        if (grid.axis[n]) axes_[grid.axis[n] - 1].wanted += sum[n] * axes_[grid.axis[n] - 1].unit;
 }
 
 // One tick towards the sum: not faster than it can be stopped on what is left. With the acceleration A and the jerk J of the share,
@@ -181,8 +181,8 @@ void Compensation::step(Core& core) noexcept {
         // turned_at is the foremost point of the present direction.
         if (axis.negative ? at < axis.turned_at : at > axis.turned_at) axis.turned_at = at;
         else if (std::fabs(at - axis.turned_at) > kReversal) axis.negative = !axis.negative, axis.turned_at = at;
-        if (axis.pitch.on) axis.wanted += cell_value(axis.pitch, at, axis.pitch.both && axis.negative);
-        if (axis.periodic.on) axis.wanted += cell_value(axis.periodic, at, false);
+        if (axis.pitch.on) axis.wanted += axis.unit * cell_value(axis.pitch, at, axis.pitch.both && axis.negative);
+        if (axis.periodic.on) axis.wanted += axis.unit * cell_value(axis.periodic, at, false);
         if (axis.gradient) axis.wanted += axis.curve(at);
         if (axis.temp_shift != 0 || axis.temp_slope != 0) {
             const double warm = core.signals.plc(signals::ap_temp(a + 1)) / 100.0;
@@ -195,7 +195,7 @@ void Compensation::step(Core& core) noexcept {
         if (!moving.exists() || !moving.referenced || !core.axes[s.compensated - 1].referenced) continue;
         const bool laid_out = s.cells.last > s.cells.first;
         if (s.simple) axes_[s.compensated - 1].wanted += s.curve(moving.measured());
-        else if (laid_out) axes_[s.compensated - 1].wanted += cell_value(s.cells, moving.measured(), true);
+        else if (laid_out) axes_[s.compensated - 1].wanted += axes_[s.compensated - 1].unit * cell_value(s.cells, moving.measured(), true);
     }
     for (std::size_t l = 0; l < kMaxChannels; ++l) add_grid(core, l);
     for (std::uint32_t a = 0; a < core.config.axis_count; ++a) {

@@ -56,6 +56,7 @@ private:
     };
     struct Axis {
         bool used = false;
+        double unit = 1;                 // mm of what its cells and grid points count: inches of an inch machine
         Pitch pitch, periodic;
         bool gradient = false;
         Curve curve;

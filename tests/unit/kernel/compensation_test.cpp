@@ -130,6 +130,32 @@ TEST(Compensation, OfTheGridIsTrilinear) {
     EXPECT_NEAR(added(rig, 2), 0.02 * 0.5 * 0.25, 1e-5);
 }
 
+// Cells and points of the file are in the unit of the axis, as the parameters beside them are.
+TEST(Compensation, OfAnInchMachineCountsInches) {
+    TickRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n0104_unit_of_measure, 1, 1);
+        params::put(t, params::n2500_pitch_comp_contr, 1, 2);
+        params::put(t, params::n2501_primary_interval, 1, 2);
+        params::put(t, params::n2502_cell_no_of_mach_zero, 10000, 2);
+        params::put(t, params::n2503_primary_smallest_cell_no, 10000, 2);
+        params::put(t, params::n2504_primary_largest_cell_no, 10002, 2);
+        params::put(t, params::n2601_no_of_moving_axis_1, 2, 1);
+        params::put(t, params::n2607_no_of_compensation_axis_1, 1, 1);
+        params::put(t, params::n2613_smallest_cell_no_of_moving_axis_1, 10100, 1);
+        params::put(t, params::n2700_1st_axis_of_3d_compensation, 2, 1);
+        params::put(t, params::n2703_no_of_points_on_1st_axis, 2, 1);
+        params::put(t, params::n2709_comp_interval_on_1st_axis, 20, 1);
+    });
+    CompensationTables cells = table({{10000, 0.001}, {10001, 0.001}, {10002, 0.001}, {10100, 0.002}, {10101, 0.002}, {10102, 0.002}});
+    cells.points[0] = {{0.0005F, 0, 0}, {0.0005F, 0, 0}};
+    rig.machine->take_tables(std::move(cells));
+    rig.machine->adopt_parameters();
+    rig.start(1);
+    rig.run(3000);
+    EXPECT_NEAR(added(rig, 2), 0.0015 * 25.4, 1e-5);
+    EXPECT_NEAR(added(rig, 1), 0.002 * 25.4, 1e-5);
+}
+
 TEST(Compensation, FollowsTheTemperature) {
     TickRig rig([](params::Table& t, RunOptions&) {
         params::put(t, params::pt_temp_shift, 0.001, 2);
