@@ -24,7 +24,9 @@ ASKS = {"O9500.nc": "O9500\nG65 H90 P072079 Q076069\nG65 H91 P1 Q066079 R076084\
         "O0001.nc": "O1\nM98 P9500\n#502=#500*2\nG4 X0.1\nM30\n"}
 # Circles without a rest between them; one axis is told a little less of its speed than the other, so that they come out oval.
 CIRCLES = "O0003\nN10 G98 G0 X80. Z10.\nN20 G1 Z0 F2400.\nN30 G2 U0 W-30. R15.\nN40 G2 U0 W30. R15.\nN50 GOTO 30\n"
-PITCH = ["N2500 A2=1", "N2501 A2=10", "N2502 A2=10010", "N2503 A2=10000", "N2504 A2=10020"]   # a pitch error table of the axis Z of L1
+# A pitch error table of the axis Z of L1, how straight its X stays along it, and their grid of 4 by 5 points.
+COMPENSATION = ["N2500 A2=1", "N2501 A2=10", "N2502 A2=10010", "N2503 A2=10000", "N2504 A2=10020", "N2601 L1=2", "N2607 L1=1", "N2613 L1=10100",
+                "N2700 L1=1", "N2701 L1=2", "N2703 L1=4", "N2704 L1=5", "N2707 L1=2", "N2709 L1=50", "N2710 L1=100"]
 MACHINE = ["N2912=24", "N2905=00001000", "N2920=4", "N2921=6", "N3300=3", "N3301=4", "PT_PLC_CYCLE=100", "PT_LATE_MAX=1000"]
 
 
@@ -89,8 +91,10 @@ def main():
         machine = pathlib.Path(folder, "machine")
         shutil.copytree(TOP / "examples/machines/twin-turret", machine)
         with open(machine / "machine.params", "a", encoding="utf-8") as file:
-            file.write("\n" + "\n".join(PITCH) + "\n")
-        (machine / "machine.compensation").write_text("".join(f"{10000 + i}={0.006 * math.sin(i / 4) + 0.0007 * (i - 10):.4f}\n" for i in range(21)), encoding="ascii")
+            file.write("\n" + "\n".join(COMPENSATION) + "\n")
+        cells = "".join(f"{10000 + i}={0.006 * math.sin(i / 4) + 0.0007 * (i - 10):.4f}\n{10100 + i}={0.004 * math.cos((i - 10) / 5) - 0.004:.4f}\n" for i in range(21))
+        points = "".join(f"3D L1 {i + 4 * k}={0.002 * i * (1 + 0.3 * (k - 2)):.4f} {0.0015 * (k - 2) + 0.0004 * i * (k - 2) ** 2:.4f} 0\n" for k in range(5) for i in range(4))
+        (machine / "machine.compensation").write_text(cells + points, encoding="ascii")
         sets = [word for line in MACHINE for word in ("--set", line)]
 
         def start(machine, sets):

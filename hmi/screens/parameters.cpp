@@ -309,7 +309,8 @@ void Parameters::askHistory() {
 }
 
 void Parameters::turnTo(int page) {
-    showPage(page == 2 ? Page::History : page == 3 ? Page::Compensation : Page::List);
+    showPage(page == 2 ? Page::History : page >= 3 ? Page::Compensation : Page::List);
+    if (page > 3) compensation_->chooseKind(page == 4 ? CompensationCurve::Kind::Straightness : CompensationCurve::Kind::Grid);
     if (page < 2) find(page == 1 ? "N0106" : QString());
 }
 
@@ -482,6 +483,7 @@ std::vector<SoftKey> Parameters::keys() {
                                line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again"), {}, line ? target(*line) : QString(), line ? target(*line) : QString()},
                               {word("Undo"), [this] { undo_.undo(); }, Sign::Undo, last != nullptr, false, false, {}, {}, {}, last ? target(last->where) : QString()}};
     if (page_ != Page::List) keys.assign(8, {});
+    if (page_ == Page::Compensation) keys = compensation_->keys();
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(page_ == wanted ? Page::List : wanted); }, page_ == wanted ? Sign::Left : Sign::None, desk_.live.connected(), page_ == wanted}; };
     keys.push_back(page(Page::History, word("History")));
     keys.push_back(page(Page::Compensation, word("Compensation tables")));

@@ -36,7 +36,7 @@ public:
     void restore(const QString& state) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return 4; }   // the list, a parameter of bits, the history, the compensation tables
+    int pages() const override { return 6; }   // the list, a parameter of bits, the history, the compensation tables: the first, straightness, a grid
     void turnTo(int page) override;
     enum class Page : std::uint8_t { List, History, Compensation };
     void showPage(Page page);
