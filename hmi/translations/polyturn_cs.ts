@@ -59,7 +59,7 @@
         <translation>celkem %1</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: nyní je %2, zůstává</translation>
     </message>
@@ -194,6 +194,11 @@
         <translation>%1: odmítnuto: %2</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: acts as soon as the axes rest</source>
+        <translation>%1: platí, jakmile se osy zastaví</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>%1: another value stands there by now, it stays</source>
         <translation>%1: mezitím je tam jiná hodnota, zůstane</translation>
@@ -244,7 +249,7 @@
         <translation>(omezeno)</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>+ Input</source>
         <translation>+ Vstup</translation>
     </message>
@@ -419,6 +424,11 @@
         <translation>Všechny skupiny</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>All tables</source>
+        <translation>Všechny tabulky</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>All tools</source>
         <translation>Všechny nástroje</translation>
@@ -427,6 +437,16 @@
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
         <translation>Součet posunutí</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along</source>
+        <translation>Podél</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along axis</source>
+        <translation>Podél osy</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -719,6 +739,11 @@
         <translation>Příčina</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Cell %1</source>
+        <translation>Buňka %1</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Centre X</source>
         <translation>Střed X</translation>
@@ -945,6 +970,16 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected</source>
+        <translation>Opravuje</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected axis</source>
+        <translation>Opravovaná osa</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
         <translation>Kompenzace</translation>
     </message>
@@ -1127,6 +1162,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Průměr tohoto řezu na konci</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Difference</source>
+        <translation>Rozdíl</translation>
     </message>
     <message>
         <location filename="../screens/compare_page.cpp"/>
@@ -1869,7 +1909,7 @@
         <translation>Přírůstek v Z</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Input</source>
         <translation>Vstup</translation>
     </message>
@@ -1999,6 +2039,11 @@
         <translation>Uložit místo</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Kept, but: %1</source>
+        <translation>Uloženo, ale: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Kept: %1</source>
         <translation>Uloženo: %1</translation>
@@ -2050,8 +2095,13 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
-        <source>L%1: volume along %2</source>
-        <translation>L%1: prostorová podél %2</translation>
+        <source>L%1: straightness, pair %2</source>
+        <translation>L%1: přímost, dvojice %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume</source>
+        <translation>L%1: objem</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -2399,6 +2449,11 @@
         <translation>Změřeno</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Measured file</source>
+        <translation>Soubor měření</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Measured parts</source>
         <translation>Změřené díly</translation>
@@ -2672,6 +2727,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Není známa.</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Not described: enter its parameters.</source>
+        <translation>Není popsána: zadejte její parametry.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4054,6 +4114,11 @@
         <translation>Zóna koníku L%1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Take a measured file</source>
+        <translation>Převzít soubor měření</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Tangential to the one before (1: yes)</source>
         <translation>Tečně k předchozímu (1: ano)</translation>
@@ -4769,7 +4834,7 @@
         <translation>USB a síťová místa se objeví, když jsou připojena. „Uložit místo“ přidá zobrazenou složku; místa dílny jsou v /etc/polyturn/places: NÁZEV=/SLOŽKA.</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Undo</source>
         <translation>Vrátit změnu</translation>
     </message>
@@ -5684,6 +5749,16 @@
         <translation>jiný název: %1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it</source>
+        <translation>bledě: sousední řady</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it; thin: before</source>
+        <translation>bledě: sousední řady; tence: předtím</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>palet</translation>
@@ -5722,6 +5797,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>kusy</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>point %1, %2</source>
+        <translation>bod %1, %2</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5987,6 +6067,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>the time of a tick</source>
         <translation>perioda taktu</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>thin: before</source>
+        <translation>tence: předtím</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

@@ -59,7 +59,7 @@
         <translation>összesen %1</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: már %2, így marad</translation>
     </message>
@@ -194,6 +194,11 @@
         <translation>%1: elutasítva: %2</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: acts as soon as the axes rest</source>
+        <translation>%1: hat, amint a tengelyek állnak</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>%1: another value stands there by now, it stays</source>
         <translation>%1: közben más érték áll ott, marad</translation>
@@ -244,7 +249,7 @@
         <translation>(korlátozva)</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>+ Input</source>
         <translation>+ Bevitel</translation>
     </message>
@@ -419,6 +424,11 @@
         <translation>Minden csoport</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>All tables</source>
+        <translation>Minden táblázat</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>All tools</source>
         <translation>Minden szerszám</translation>
@@ -427,6 +437,16 @@
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
         <translation>Eltolások összege</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along</source>
+        <translation>Mentén</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along axis</source>
+        <translation>Tengely mentén</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -719,6 +739,11 @@
         <translation>Ok</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Cell %1</source>
+        <translation>%1. cella</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Centre X</source>
         <translation>Középpont X</translation>
@@ -945,6 +970,16 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected</source>
+        <translation>Javított</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected axis</source>
+        <translation>Javított tengely</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
         <translation>Kompenzáció</translation>
     </message>
@@ -1127,6 +1162,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>E fogás átmérője a végén</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Difference</source>
+        <translation>Eltérés</translation>
     </message>
     <message>
         <location filename="../screens/compare_page.cpp"/>
@@ -1869,7 +1909,7 @@
         <translation>Növekmény Z-ben</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Input</source>
         <translation>Bevitel</translation>
     </message>
@@ -1999,6 +2039,11 @@
         <translation>Hely mentése</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Kept, but: %1</source>
+        <translation>Mentve, de: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Kept: %1</source>
         <translation>Mentve: %1</translation>
@@ -2050,8 +2095,13 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
-        <source>L%1: volume along %2</source>
-        <translation>L%1: térbeli, %2 mentén</translation>
+        <source>L%1: straightness, pair %2</source>
+        <translation>L%1: egyenesség, %2. pár</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume</source>
+        <translation>L%1: térfogat</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -2399,6 +2449,11 @@
         <translation>Mért</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Measured file</source>
+        <translation>Mérési fájl</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Measured parts</source>
         <translation>Mért darabok</translation>
@@ -2672,6 +2727,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Nem ismert.</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Not described: enter its parameters.</source>
+        <translation>Nincs leírva: adja meg a paramétereit.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4054,6 +4114,11 @@
         <translation>Szegnyeregzóna L%1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Take a measured file</source>
+        <translation>Mérési fájl átvétele</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Tangential to the one before (1: yes)</source>
         <translation>Érintő az előzőhöz (1: igen)</translation>
@@ -4769,7 +4834,7 @@
         <translation>Az USB és a hálózati helyek megjelennek, ha elérhetők. A „Hely mentése” a látható mappát veszi fel; az üzem helyei: /etc/polyturn/places, NÉV=/MAPPA.</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Undo</source>
         <translation>Visszavonás</translation>
     </message>
@@ -5684,6 +5749,16 @@
         <translation>más név: %1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it</source>
+        <translation>halvány: szomszédos sorok</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it; thin: before</source>
+        <translation>halvány: szomszédos sorok; vékony: előtte</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>paletta</translation>
@@ -5722,6 +5797,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>darab</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>point %1, %2</source>
+        <translation>%1. pont, %2</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5987,6 +6067,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>the time of a tick</source>
         <translation>egy ütem ideje</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>thin: before</source>
+        <translation>vékony: előtte</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

@@ -59,7 +59,7 @@
         <translation>всего %1</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: уже %2, оставлено как есть</translation>
     </message>
@@ -194,6 +194,11 @@
         <translation>%1: отказ: %2</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: acts as soon as the axes rest</source>
+        <translation>%1: действует, как только оси остановятся</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>%1: another value stands there by now, it stays</source>
         <translation>%1: там уже другое значение, оно остаётся</translation>
@@ -244,7 +249,7 @@
         <translation>(ограничено)</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>+ Input</source>
         <translation>+ Ввод</translation>
     </message>
@@ -419,6 +424,11 @@
         <translation>Все группы</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>All tables</source>
+        <translation>Все таблицы</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>All tools</source>
         <translation>Все инструменты</translation>
@@ -427,6 +437,16 @@
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
         <translation>Все нули вместе</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along</source>
+        <translation>Вдоль</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Along axis</source>
+        <translation>Вдоль оси</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -719,6 +739,11 @@
         <translation>Причина</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Cell %1</source>
+        <translation>Ячейка %1</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Centre X</source>
         <translation>Центр X</translation>
@@ -945,6 +970,16 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected</source>
+        <translation>Исправляет</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Corrected axis</source>
+        <translation>Исправляемая ось</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Correction</source>
         <translation>Поправка</translation>
     </message>
@@ -1127,6 +1162,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Диаметр этого прохода в конце</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Difference</source>
+        <translation>Разница</translation>
     </message>
     <message>
         <location filename="../screens/compare_page.cpp"/>
@@ -1869,7 +1909,7 @@
         <translation>Приращение по Z</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Input</source>
         <translation>Ввод</translation>
     </message>
@@ -1999,6 +2039,11 @@
         <translation>Запомнить место</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Kept, but: %1</source>
+        <translation>Сохранено, но: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Kept: %1</source>
         <translation>Запомнено: %1</translation>
@@ -2050,8 +2095,13 @@
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
-        <source>L%1: volume along %2</source>
-        <translation>L%1: объёмная вдоль %2</translation>
+        <source>L%1: straightness, pair %2</source>
+        <translation>L%1: прямолинейность, пара %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume</source>
+        <translation>L%1: объём</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -2399,6 +2449,11 @@
         <translation>Измерено</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Measured file</source>
+        <translation>Файл измерений</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Measured parts</source>
         <translation>Измеренные детали</translation>
@@ -2672,6 +2727,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Неизвестно.</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Not described: enter its parameters.</source>
+        <translation>Не описана: введите её параметры.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4054,6 +4114,11 @@
         <translation>Зона задней бабки L%1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Take a measured file</source>
+        <translation>Взять файл измерений</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Tangential to the one before (1: yes)</source>
         <translation>Касательно к предыдущему (1: да)</translation>
@@ -4769,7 +4834,7 @@
         <translation>USB и сетевые места появляются, когда они подключены. «Запомнить место» добавляет показанную папку; места цеха записаны в /etc/polyturn/places: ИМЯ=/ПАПКА.</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>Undo</source>
         <translation>Отменить</translation>
     </message>
@@ -5684,6 +5749,16 @@
         <translation>другое имя: %1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it</source>
+        <translation>бледно: соседние ряды</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>pale: the rows beside it; thin: before</source>
+        <translation>бледно: соседние ряды; тонко: прежнее</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>pallets</source>
         <translation>паллет</translation>
@@ -5722,6 +5797,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>point %1, %2</source>
+        <translation>точка %1, %2</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -5987,6 +6067,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>the time of a tick</source>
         <translation>время такта</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>thin: before</source>
+        <translation>тонко: прежнее</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
