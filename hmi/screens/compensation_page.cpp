@@ -236,6 +236,7 @@ void CompensationPage::refresh() {
     take();
     undo_.goOn();
     curves_->focused = focus_ == Focus::Curves, points_->focused = focus_ == Focus::Points, settings_->focused = focus_ == Focus::Settings;
+    points_->marked = focus_ != Focus::Settings, settings_->marked = focus_ == Focus::Settings;   // what a number goes to
     for (Sheet* one : sheets()) one->refresh();
 }
 
