@@ -133,6 +133,7 @@ void Interpreter::refresh_frame() {
 }
 
 bool Interpreter::g_mirror(const GCode& row) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (row.number == 10) {
         modal_.mirrored = 0;
         refresh_frame();
@@ -150,6 +151,7 @@ bool Interpreter::g_mirror(const GCode& row) {
 }
 
 bool Interpreter::g_mirror_axes(const GCode&) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (!has_axes()) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G14");
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (axis_words_[i]) modal_.mirrored |= 1u << i;
@@ -158,6 +160,7 @@ bool Interpreter::g_mirror_axes(const GCode&) {
 }
 
 bool Interpreter::g_scale(const GCode&) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (has('S')) {
         if (has_axes()) return core_.fail(Alarm::AddressIllegal, 'S', "S");
         if (number('S') <= 0) return core_.fail(Alarm::FagorValueRange, 'S', "S", number('S'));

@@ -281,5 +281,27 @@ TEST(FagorProfile, IsClosedForTheNoseOfTheFinishingPass) {
     }
 }
 
+// [part 2, 9.1.2; 7.6] a scale acts on what the cycle cuts, once: not on the reading of the profile.
+TEST(FagorProfile, IsReadAsItIsProgrammedUnderAScale) {
+    const auto cut = [](const char* scale, const char* corner) {
+        return points(play("G18 G71 G90 G94 G152\n" + std::string(scale) + "\nG0 X30 Z5 F100\nG68 X10 Z0 C10 D0 H50 S10 E20\nM30\nN10 G01 " + corner + " Z-15\nN20 G01 X20", fagor()));
+    };
+    EXPECT_EQ(cut("G72 X2", ""), "60,5 40,5 40,-15 40,5 20,5 20,-15 20,5 60,5 20,5 20,0 20,-15 40,-15 60,-15 60,5");
+    EXPECT_EQ(cut("G72 Z2", ""), "30,10 20,10 20,-30 20,10 10,10 10,-30 10,10 30,10 10,10 10,0 10,-30 20,-30 30,-30 30,10");
+    EXPECT_NE(cut("G72 S2", "G36 R2").find("20,-26 24,-30 40,-30"), std::string::npos) << cut("G72 S2", "G36 R2");
+}
+
+// [8.3; 7.6] the nose is as large as it is: under G72 S it fits into grooves that are wide enough when they are cut.
+TEST(FagorCompensation, TheSearchForLoopsKnowsTheScale) {
+    const auto warned = [](const char* scale, const char* wall) {
+        return with_round_nose(std::string(scale) + "\nG42 N9 G1 X30 Z10 F100\nZ-18\nX25\n" + wall + "\nX30\nZ-60").has({std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))});
+    };
+    EXPECT_TRUE(warned("G72 S1", "Z-21"));    // 3 mm, nose 2 mm
+    EXPECT_FALSE(warned("G72 S2", "Z-21"));   // 6 mm
+    EXPECT_FALSE(warned("G72 S1", "Z-24"));
+    EXPECT_TRUE(warned("G72 S0.5", "Z-24"));  // 3 mm
+    EXPECT_EQ(with_round_nose("G72 X2\nG42 N5 G1 X15 Z10 F100\nZ-20\nX30").errors, 0u);
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
