@@ -20,6 +20,7 @@ bool Interpreter::g_x_format(const GCode& row) {
 
 bool Interpreter::g_plane(const GCode& row) {
     if (modal_.comp != 40 && row.number != modal_.plane) return core_.fail(Alarm::CompPlaneChanged, 'G');
+    if (row.number == modal_.plane) return true;   // no change: the polar origin stays (3.6.2)
     modal_.plane = row.number;
     core_.path.plane = static_cast<Plane>(row.number - 17);
     core_.path.plane_p = core_.path.plane_q = -1;
