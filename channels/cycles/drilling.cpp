@@ -99,8 +99,7 @@ bool drill_axial(Core& core, const AxialHole& hole) {
         const double last = hole.surface - away * depth;
         peck = std::fmax(peck * hole.factor, hole.least);
         if (count == kMostPecks || !(peck > 0)) return core.fail(Alarm::CycleValueIllegal, 'B', "B", hole.peck);
-        double back = hole.retract > 0 ? last + away * hole.retract : approach;
-        if (away * back > away * approach) back = approach;
+        const double back = hole.retract > 0 ? last + away * hole.retract : approach;   // as far as it says, beyond the approach point too
         if (!level(core, hole, back, true)) return false;
         const double near = last + away * hole.clearance;
         if (away * near < away * back - 1e-9 && !level(core, hole, near, true)) return false;

@@ -118,6 +118,7 @@ private:
             any = true;
         };
         for (const Piece& piece : blank_->pieces()) {
+            if (std::fmax(piece.from.h, piece.to.h) <= h + kSameLevel) continue;   // its surface at most: nothing above it to cut
             if (piece.from.h >= h - kSameLevel) see(piece.from.s);
             if (piece.to.h >= h - kSameLevel) see(piece.to.s);
             if ((piece.from.h - h) * (piece.to.h - h) < 0) see(piece.at_height(h));

@@ -127,6 +127,7 @@ bool Interpreter::g_drilling(const GCode&) {
     follow_spindle(true);
     modal_.m_states &= ~(1ull << 19);   // M19 has to search its mark again
     if (!cycles::tap_axial(core_, hole)) return false;
+    if (kind > 0) modal_.m_states = (modal_.m_states & ~(1ull << 3 | 1ull << 4)) | 1ull << 5;   // a rigid one ends with M05 (9.6.3)
     core_.signal("TAPPING", 0.0);
     return true;
 }
@@ -156,7 +157,7 @@ bool Interpreter::g_threading(const GCode& row) {
     thread.exit = distance('J');
     if (std::fabs(thread.exit) > std::fabs(along)) return core_.fail(Alarm::FagorValueRange, 'J', "J", number('J'));
     thread.angle_deg = has('A') ? number('A') : 30.0;
-    if (std::fabs(thread.angle_deg) >= 60) return core_.fail(Alarm::FagorValueRange, 'A', "A", number('A'));
+    if (std::fabs(thread.angle_deg) >= 90) return core_.fail(Alarm::FagorValueRange, 'A', "A", number('A'));
     if (has('H')) {
         std::int64_t entry = 0;
         if (!whole(*word('H'), entry)) return false;

@@ -27,6 +27,24 @@ double Interpreter::largest_feed(const AxisValues& target) const {
     return seconds > 0 ? length / seconds : slowest > 0 ? slowest : 1.0;
 }
 
+// The largest feed on a circle from the angle `from` by `sweep` (radians, signed): of either axis what is largest of its share.
+double Interpreter::largest_feed_on_arc(double from, double sweep, unsigned p, unsigned q) const {
+    constexpr double kQuarter = std::numbers::pi / 2;
+    const double low = std::fmin(from, from + sweep), high = std::fmax(from, from + sweep);
+    double most = 0.0;
+    // The share of the abscissa is |sin|, whole at odd quarters; that of the ordinate |cos|, whole at even ones.
+    const auto limit = [&](unsigned axis, double at_begin, double at_end, bool odd) {
+        const double can = core_.view().axes[axis].max_feed_mm_min;
+        double share = std::fmax(std::fabs(at_begin), std::fabs(at_end));
+        for (double k = std::ceil(low / kQuarter - 1e-9); k * kQuarter <= high + 1e-9; k += 1.0)
+            if ((std::fmod(std::fabs(k), 2.0) == 1.0) == odd) share = 1.0;
+        if (can > 0 && share > 1e-12 && (most == 0.0 || can / share < most)) most = can / share;
+    };
+    limit(p, std::sin(low), std::sin(high), true);
+    limit(q, std::cos(low), std::cos(high), false);
+    return most;
+}
+
 // The modal feed becomes that of the next move.
 bool Interpreter::set_feed(const AxisValues& target) {
     PathState& path = core_.path;
@@ -208,7 +226,14 @@ bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, 
         core_.path.feed = modal_.feed_inverse;
         core_.path.feed_mode = FeedMode::InverseTime;
         core_.path.feed_path.active = false;
-        modal_.feed_of_block = modal_.feed_inverse * sweep * std::hypot(now[p] - cp, now[q] - cq);
+        modal_.feed_of_block = modal_.feed_inverse * sweep * std::hypot(now[p] - cp, now[q] - cq) * modal_.scale;
+        // An axis would be too fast: its limit is the feed, as on a line (6.15).
+        if (const double most = largest_feed_on_arc(a0, clockwise ? -sweep : sweep, p, q); most > 0 && modal_.feed_of_block > most) {
+            modal_.feed_of_block = most;
+            core_.path.feed = most;
+            core_.path.feed_mode = FeedMode::PerMinute;
+            core_.path.feed_path.active = true;
+        }
     } else if (!set_feed(target)) {
         return false;
     }

@@ -118,7 +118,7 @@ bool Interpreter::element_at_end(bool straight_block) {
     static constexpr corners::Shape kShapes[] = {corners::Shape::Rounding, corners::Shape::Entry, corners::Shape::Exit, corners::Shape::ChamferLeg};
     corners::Call call;
     call.shape = kShapes[row->number - 36];
-    call.size = element_word_->value * unit() * modal_.scale;
+    call.size = element_word_->value * unit() * (reads_profile_ || scanning_ ? 1.0 : modal_.scale);   // what is only read stays as it is programmed
     call.required = row->number == 37 || row->number == 38;
     call.straight = row->number == 39;
     call.letter = 'R';

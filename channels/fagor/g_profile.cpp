@@ -100,6 +100,8 @@ bool Interpreter::record_profile(const Interpreter& caller, FileId file, TextPos
     core_.path.feed_mode = FeedMode::PerMinute;
     core_.path.feed = 1.0;
     core_.set_frame(Frame{});
+    core_.path.factored = false;   // G72 of an axis acts on what the cycle cuts, not on what is read
+    core_.path.factor.fill(1.0);
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     AxisValues machine = core_.path.machine;
@@ -324,7 +326,7 @@ bool Interpreter::repeat_passes(const Contour& part, Point call, double l, doubl
 // The finishing pass is compensated: what the nose does not fit into is closed before anything is cut (9.1.5).
 void Interpreter::close_for_nose(Contour& part, bool infeed_in_x, bool& closed) {
     constexpr std::size_t kWindow = 50;   // elements that are looked at together, as in 8.2.5 of part 1
-    const Nose nose{std::fabs(core_.path.tool.nose_radius), cycles::side_towards(part, cycle_call_point(), infeed_in_x), outer_corner()};
+    const Nose nose{std::fabs(core_.path.tool.nose_radius) / modal_.scale, cycles::side_towards(part, cycle_call_point(), infeed_in_x), outer_corner()};
     const auto loops = find_loops(part.elements, nose, kWindow);
     if (loops.empty()) return;
     part.elements = without_loops(std::move(part.elements), loops);

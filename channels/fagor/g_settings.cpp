@@ -20,6 +20,7 @@ bool Interpreter::g_x_format(const GCode& row) {
 
 bool Interpreter::g_plane(const GCode& row) {
     if (modal_.comp != 40 && row.number != modal_.plane) return core_.fail(Alarm::CompPlaneChanged, 'G');
+    if (row.number == modal_.plane) return true;   // no change: the polar origin stays (3.6.2)
     modal_.plane = row.number;
     core_.path.plane = static_cast<Plane>(row.number - 17);
     core_.path.plane_p = core_.path.plane_q = -1;
@@ -133,6 +134,7 @@ void Interpreter::refresh_frame() {
 }
 
 bool Interpreter::g_mirror(const GCode& row) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (row.number == 10) {
         modal_.mirrored = 0;
         refresh_frame();
@@ -150,6 +152,7 @@ bool Interpreter::g_mirror(const GCode& row) {
 }
 
 bool Interpreter::g_mirror_axes(const GCode&) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (!has_axes()) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G14");
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (axis_words_[i]) modal_.mirrored |= 1u << i;
@@ -158,6 +161,7 @@ bool Interpreter::g_mirror_axes(const GCode&) {
 }
 
 bool Interpreter::g_scale(const GCode&) {
+    if (scanning_) return scan_over_ = true;   // what comes behind lies in another system
     if (has('S')) {
         if (has_axes()) return core_.fail(Alarm::AddressIllegal, 'S', "S");
         if (number('S') <= 0) return core_.fail(Alarm::FagorValueRange, 'S', "S", number('S'));

@@ -168,6 +168,7 @@ private:
     bool has_axes_beside(std::string_view letters) const;
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
+    double largest_feed_on_arc(double from, double sweep, unsigned p, unsigned q) const;
     void follow_spindle(bool thread);
     bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
     bool drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise);

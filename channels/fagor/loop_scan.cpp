@@ -25,7 +25,8 @@ bool Interpreter::scan_loops() {
     const std::vector<cycles::Element> elements = reader.record_ahead(*this, recorder, p, q, scanned_to_);
     source_->seek(back);
     show_diameter();
-    const Nose nose{core_.path.tool.nose_radius, modal_.comp == 41 ? 1 : -1, outer_corner()};
+    // The contour is read as it is programmed: G72 S makes it larger than that, and the nose smaller beside it.
+    const Nose nose{core_.path.tool.nose_radius / modal_.scale, modal_.comp == 41 ? 1 : -1, outer_corner()};
     for (const ContourLoop& loop : find_loops(elements, nose, static_cast<std::size_t>(modal_.collision_blocks))) {
         const std::uint64_t before = elements[loop.before].at.serial;
         if (loop.meeting) loops_[before].end = loop.meeting;
@@ -48,6 +49,8 @@ std::vector<cycles::Element> Interpreter::record_ahead(const Interpreter& caller
     core_.path.zones = {};
     core_.path.second_limits = {};
     core_.set_frame(Frame{});
+    core_.path.factored = false;   // behind compensation: nothing of the contour that is compensated
+    core_.path.factor.fill(1.0);
     core_.start_at_machine(core_.path.machine);
     core_.path.programmed = caller.core_.path.programmed;
     recorder.from({core_.path.programmed[p], core_.path.programmed[q]});

@@ -308,7 +308,12 @@ std::string Interpreter::with_parameters(std::string_view text, bool only_marked
             digits.pop_back();
             if (point) break;
         }
-        out += digits == "-0" ? "0" : digits;
+        if (digits == "-0") digits = "0";
+        if (plain && digits[0] == '-' && !out.empty() && (out.back() == '-' || out.back() == '+')) {   // Z-P1 of a negative P1 is a word with one sign
+            if (out.back() == '-') digits.erase(0, 1);
+            out.pop_back();
+        }
+        out += digits;
         i = j - 1;
     }
     return out;

@@ -109,6 +109,7 @@ Access Interpreter::read_named(const Target& target, double& value) {
         case Var::ZoneLow: value = from_length_plain(path.zones[row.sub].low[i]); return Access::Ok;
         case Var::ZoneHigh: value = from_length_plain(path.zones[row.sub].high[i]); return Access::Ok;
         case Var::Kept: case Var::KeptAxis:
+            if (row.name == "ANAO" && (target.index < 1 || target.index > 8)) return variable_fault(Alarm::FagorValueRange, target_name(target), target.index);
             value = values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? Values::kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % Values::kNoPlace);
             return Access::Ok;
         case Var::Way: {
@@ -116,7 +117,9 @@ Access Interpreter::read_named(const Target& target, double& value) {
             value = core_.view().axes[i].rotary ? way : from_length_plain(way);
             return Access::Ok;
         }
-        case Var::Nothing: case Var::AdditiveZero: value = core_.port().given_variable(target_name(target)).value_or(0.0); return Access::Ok;
+        case Var::Nothing: case Var::AdditiveZero:
+            if (row.name == "ANAI" && (target.index < 1 || target.index > 8)) return variable_fault(Alarm::FagorValueRange, target_name(target), target.index);
+            value = core_.port().given_variable(target_name(target)).value_or(0.0); return Access::Ok;
         default: return read_state(target, value);
     }
 }
@@ -127,7 +130,7 @@ Access Interpreter::read_state(const Target& target, double& value) {
     const MachineView& view = core_.view();
     switch (row.var) {
         case Var::CallParameters: value = 0; for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) if (frame->own_level) { value = frame->given; break; } return Access::Ok;
-        case Var::Mode: value = 10; return Access::Ok;
+        case Var::Mode: value = core_.port().single_block() ? 11 : 10; return Access::Ok;
         case Var::ModeBits: value = 1; return Access::Ok;
         case Var::Program: value = static_cast<double>(frames_.back().program); return Access::Ok;
         case Var::Label: value = static_cast<double>(std::max<std::int64_t>(modal_.last_label, 0)); return Access::Ok;
@@ -317,8 +320,8 @@ double Interpreter::machine_parameter(const Target& target) const {
                 const auto format = static_cast<double>(params::get(view.table(), params::fg_dformat, axis.machine_axis + 1u));
                 return format >= 0 ? format : params::bit(view.table(), params::n0106_axis_properties, axis.machine_axis + 1u, 0) ? 4.0 : 0.0;
             }
-            case 5: return axis.limit_max;
-            case 6: return axis.limit_min;
+            case 5: return axis.rotary ? axis.limit_max : from_length_plain(axis.limit_max);   // in the active unit (11.2.4)
+            case 6: return axis.rotary ? axis.limit_min : from_length_plain(axis.limit_min);
             default: return 0.0;
         }
     }

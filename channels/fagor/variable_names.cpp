@@ -173,7 +173,7 @@ constexpr auto kVariableRows = std::to_array<VariableRow>({
     {"KEY", S::Plain, V::Nothing, kLive, kReadOnly, 0},
     {"KEYSRC", S::Plain, V::Kept, kNow, kWritable, 0},
     {"ANAO", S::Index, V::Kept, kLive, kWritable, 0},
-    {"SELPRO", S::Plain, V::ProbeInput, kNow, kWritable, 0},
+    {"SELPRO", S::Plain, V::ProbeInput, kLive, kWritable, 0},
     {"DIAM", S::Plain, V::Diameter, kNow, kWritable, 0},
     {"PRBMOD", S::Plain, V::ProbeMode, kNow, kWritable, 0},
     {"FBDIF", S::Axis, V::Nothing, kNow, kReadOnly, 0},

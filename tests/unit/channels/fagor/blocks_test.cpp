@@ -281,5 +281,80 @@ TEST(FagorProfile, IsClosedForTheNoseOfTheFinishingPass) {
     }
 }
 
+// [part 2, 9.6.1] H is how far the tool goes back, though the approach point is nearer.
+TEST(FagorCycle, APeckGoesBackAsFarAsItsWordSays) {
+    EXPECT_EQ(points(play("G152\nM3 S100\nG00 X0 Z30 F100\nG83 X0 Z0 I10 B5 D2 H9", fagor())), "0,30 0,2 0,-5 0,4 0,-4 0,-10 0,2");
+}
+
+// [part 2, 9.6.3, 11.2.14] a rigid tap ends with the spindle stopped by M05; a floating one has its direction again.
+TEST(FagorCycle, MStatesTellHowATapLeavesTheSpindle) {
+    const auto state = [](std::string_view kind, std::string_view name) {
+        const Played played = play("G95\nM3 S100 F1\nG00 X0 Z30\nG83 X0 Z0 I10 B0 R" + std::string(kind) + "\n(P100=" + std::string(name) + ")", fagor());
+        return played.has({"\"name\":\"P100\"", "\"value\":1}"});
+    };
+    for (const char* kind : {"1", "2"}) {
+        EXPECT_TRUE(state(kind, "MS5")) << kind;
+        EXPECT_FALSE(state(kind, "MS3")) << kind;
+        EXPECT_FALSE(state(kind, "MS19")) << kind;
+    }
+    EXPECT_TRUE(state("0", "MS3"));
+    EXPECT_FALSE(state("0", "MS5"));
+}
+
+// [part 2, 9.1.2] where a level is the surface of the blank there is nothing to cut; on a slope of it the pass begins there.
+TEST(FagorProfile, APassAlongTheSurfaceOfTheBlankIsLeftOut) {
+    const auto cut = [](const char* blank) {
+        return points(play("G18 G71 G90 G94 G152\nG0 X30 Z5 F100\nG68 X10 Z0 C2 D0 S10 E20\nM30\nN10 G01 Z-20\nG01 X20\n" + std::string(blank), fagor()));
+    };
+    EXPECT_EQ(cut("G00 X14 Z0\nN20 G01 Z-20"), "30,5 12,5 12,0 12,-20 12,5 10,5 10,0 10,-20 10,5 30,5");
+    EXPECT_EQ(cut("G00 X12 Z0\nG01 Z-20\nN20 G01 X16"), "30,5 10,5 10,0 10,-20 10,5 30,5");
+    EXPECT_EQ(cut("G00 X12 Z-10\nN20 G01 X14 Z-20"), "30,5 12,5 12,-10 12,-20 12,5 10,5 10,-10 10,-20 10,5 30,5");
+}
+
+// [part 2, 9.9] A has no limit but that of a flank: 60 degrees to the X axis are allowed.
+TEST(FagorCycle, AThreadTakesAWideAngle) {
+    const char* const thread = "G152\nM3 S100\nG00 X20 Z5\nG86 X10 Z0 Q10 R-20 I1 B1 C2 L-0.1 A";
+    EXPECT_TRUE(play(std::string(thread) + "60", fagor()).has({"\"kind\":\"rapid\"", "\"Z\":-1.558846"}));
+    EXPECT_GT(play(std::string(thread) + "90", fagor()).errors, 0u);
+}
+
+// [6.15] no axis is faster than it can, on an arc neither: the part of the circle that is driven counts.
+TEST(FagorBlock, InverseTimeKeepsToWhatTheAxesCan) {
+    const auto feed = [](std::string_view arc) { return play("G152\nG00 X10 Z0\nG32 F2000\n" + std::string(arc), fagor({"N0305 A1=3000", "N0305 A2=6000"})).find({"centre"}); };
+    EXPECT_NE(feed("G03 X10 Z0 I-10 K0").find("\"feed\":{\"mode\":\"per_min\",\"value\":3000}"), std::string::npos) << feed("G03 X10 Z0 I-10 K0");
+    // From the abscissa up by 30 degrees only the ordinate is fast; from the top by 30 degrees it does at most half the path's speed.
+    EXPECT_NE(feed("G02 X8.660254 Z5 I-10 K0").find("\"value\":6000}"), std::string::npos) << feed("G02 X8.660254 Z5 I-10 K0");
+    EXPECT_NE(play("G152\nG00 X10 Z0\nG32 F2\nG03 X10 Z0 I-10 K0", fagor()).find({"centre"}).find("\"mode\":\"inverse_time\",\"value\":2}"), std::string::npos);
+    EXPECT_TRUE(play("G152\nG72 S2\nG00 X10 Z0\nG32 F2\nG03 X10 Z0 I-10 K0\n(P100=FEED)", fagor()).has({"\"name\":\"P100\"", "\"value\":251.32741"}));
+}
+
+// [3.6.2] the polar origin goes to the part zero when the plane changes, and only then.
+TEST(FagorBlock, TheSamePlaneKeepsThePolarOrigin) {
+    EXPECT_EQ(points(play("G152 G18\nG93 I10 J20\nG18\nG00 R5 Q0", fagor())), "20,15");
+    EXPECT_EQ(points(play("G152 G18\nG93 I10 J20\nG17\nG18\nG00 R5 Q0", fagor())), "0,5");
+}
+
+// [part 2, 9.1.2; 7.6] a scale acts on what the cycle cuts, once: not on the reading of the profile.
+TEST(FagorProfile, IsReadAsItIsProgrammedUnderAScale) {
+    const auto cut = [](const char* scale, const char* corner) {
+        return points(play("G18 G71 G90 G94 G152\n" + std::string(scale) + "\nG0 X30 Z5 F100\nG68 X10 Z0 C10 D0 H50 S10 E20\nM30\nN10 G01 " + corner + " Z-15\nN20 G01 X20", fagor()));
+    };
+    EXPECT_EQ(cut("G72 X2", ""), "60,5 40,5 40,-15 40,5 20,5 20,-15 20,5 60,5 20,5 20,0 20,-15 40,-15 60,-15 60,5");
+    EXPECT_EQ(cut("G72 Z2", ""), "30,10 20,10 20,-30 20,10 10,10 10,-30 10,10 30,10 10,10 10,0 10,-30 20,-30 30,-30 30,10");
+    EXPECT_NE(cut("G72 S2", "G36 R2").find("20,-26 24,-30 40,-30"), std::string::npos) << cut("G72 S2", "G36 R2");
+}
+
+// [8.3; 7.6] the nose is as large as it is: under G72 S it fits into grooves that are wide enough when they are cut.
+TEST(FagorCompensation, TheSearchForLoopsKnowsTheScale) {
+    const auto warned = [](const char* scale, const char* wall) {
+        return with_round_nose(std::string(scale) + "\nG42 N9 G1 X30 Z10 F100\nZ-18\nX25\n" + wall + "\nX30\nZ-60").has({std::string(alarm_number(Alarm::FagorProfileHollow, Dialect::Fagor))});
+    };
+    EXPECT_TRUE(warned("G72 S1", "Z-21"));    // 3 mm, nose 2 mm
+    EXPECT_FALSE(warned("G72 S2", "Z-21"));   // 6 mm
+    EXPECT_FALSE(warned("G72 S1", "Z-24"));
+    EXPECT_TRUE(warned("G72 S0.5", "Z-24"));  // 3 mm
+    EXPECT_EQ(with_round_nose("G72 X2\nG42 N5 G1 X15 Z10 F100\nZ-20\nX30").errors, 0u);
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing

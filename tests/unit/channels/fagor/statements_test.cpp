@@ -46,6 +46,7 @@ TEST(FagorStatement, RunsWhatItNames) {
     EXPECT_TRUE(run("(P100=4)\n(OPEN P7)\n(WRITE N10 (P100=P100+1))\n(EXEC P7)\nM30\n").has({"P100", ":5"}));
     EXPECT_TRUE(run("(P100=4)\n(P101=2)\n(OPEN P7)\n(WRITE /2 N10 (P100=P100+?P101))\n(EXEC P7)\nM30\n").has({"P100", ":6"}));
     EXPECT_TRUE(run("(P101=7)\n(OPEN P7)\n(WRITE N10 G00 XP101 ;(KEPT))\n(P101=8)\n(EXEC P7)\nM30\n").has({"\"ev\":\"move\"", "\"X\":7"}));
+    EXPECT_TRUE(run("(P101=-3)\n(OPEN P7)\n(WRITE G00 X+P101 Z-P101)\n(EXEC P7)\nM30\n").has({"\"ev\":\"move\"", "\"X\":-3,\"Z\":3"}));   // one sign
     EXPECT_TRUE(run("(P101=3)\n(CALL 1+2)\n(CALL P101)\nM30\n(SUB 3)\n(P100=P100+1)\n(RET)\n").has({"P100", ":2"}));   // [12.5] a number or an expression
     EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
     EXPECT_TRUE(run("(ERROR 77, \"NO BAR\")\nM30\n").has({"alarm", ":77", "NO BAR"}));
@@ -95,6 +96,52 @@ TEST(FagorVariable, PlaneNamesItsAxesByNumber) {
     for (const auto& [plane, value] : rows) {
         const Played played = run(std::string(plane) + "\n(P100=PLANE)\nM30\n");
         EXPECT_TRUE(played.has({"P100", std::string(value)})) << plane << "\n" << played.events;
+    }
+}
+
+// [11.2.4] limits of an axis are coordinates: they come in the unit that is active.
+TEST(FagorVariable, LimitsOfAnAxisAreInTheActiveUnit) {
+    for (const std::string limit : {"MPZ5", "MPZ6"}) {
+        Play how;
+        how.language = "fagor";
+        const Played played = play("(P101=" + limit + ")\nG70\n(P100=P101/" + limit + ")\nM30\n", how, [](MachineView& view) {
+            view.axes[1].limit_max = 500;
+            view.axes[1].limit_min = -300;
+        });
+        EXPECT_TRUE(played.has({"\"name\":\"P100\"", ":25.4}"})) << played.events;
+    }
+}
+
+// [11.2.13] automatic execution, or block by block.
+TEST(FagorVariable, TheModeTellsSingleBlock) {
+    Play how;
+    how.language = "fagor";
+    EXPECT_TRUE(play("(P100=OPMODE)\nM30\n", how).has({"P100", ":10}"}));
+    how.setup.keys.single_block = true;
+    EXPECT_TRUE(play("(P100=OPMODE)\nM30\n", how).has({"P100", ":11}"}));
+}
+
+// [11.2.14, 11.2] SELPRO is one of the values that wait for the blocks before: compensation breaks off there.
+TEST(FagorVariable, SelproInterruptsCompensation) {
+    const auto path = [](std::string_view between) {
+        Play how;
+        how.language = "fagor";
+        const std::string program = "G18 G71 G90 G94 G152\nT1 D1\nG0 X60 Z40\nG42 G1 X30 Z10 F100\nZ-20\n" + std::string(between) + "\nX60\nG40 X80\nM30\n";
+        const Played played = play(program, how, [](MachineView& view) { view.store->offsets[1].geometry_r = 2; });
+        EXPECT_EQ(played.errors, 0u) << between;
+        return played.has({"\"line\":5", "\"Z\":-20"});   // the block before ends perpendicular
+    };
+    EXPECT_TRUE(path("(SELPRO=1)"));
+    EXPECT_TRUE(path("(P100=SELPRO)"));
+    EXPECT_FALSE(path("(PRBMOD=0)"));
+}
+
+// [11.2.14] eight analogue inputs and as many outputs.
+TEST(FagorVariable, AnalogueInputsAreEight) {
+    EXPECT_FALSE(run("(P100=ANAI8)\nM30\n").has({"\"ev\":\"alarm\""}));
+    for (const char* number : {"0", "9"}) {
+        EXPECT_TRUE(run("(P100=ANAI" + std::string(number) + ")\nM30\n").has({"\"ev\":\"alarm\""})) << number;
+        EXPECT_TRUE(run("(P100=ANAO" + std::string(number) + ")\nM30\n").has({"\"ev\":\"alarm\""})) << number;
     }
 }
 
