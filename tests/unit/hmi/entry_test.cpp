@@ -110,6 +110,21 @@ TEST_F(Entry, ATextOfAParameterIsChangedByTouch) {
     EXPECT_TRUE(waitFor([&] { return params::get_text(live().table(), params::pt_program_folders, 1) == "sub"; })) << params::get_text(live().table(), params::pt_program_folders, 1);
 }
 
+// Each bit is touched, on an upright panel too.
+TEST_F(Entry, BitsAreAsHighAsAFinger) {
+    window->resize(768, 1024);
+    Operator hand(*window);
+    hand.screen("parameters");
+    for (const Tongue tongue : {Tongue::Russian, Tongue::English}) {
+        window->setTongue(tongue);
+        auto& now = screenOf<Parameters>();
+        now.find("N0106");
+        frames(*window);
+        for (int bit = 0; bit < 8; ++bit) EXPECT_GE(now.detail().boxOf(1 + bit).height(), px(34)) << bit;
+    }
+    window->resize(1280, 800);
+}
+
 // MSG("..."), $AA_IM, >= are written by touch too: shift gives the keys of digits and signs another one, which stands on them.
 TEST_F(Entry, SignsOfProgramsAreTypedByTouch) {
     for (const bool capitals : {false, true}) {
