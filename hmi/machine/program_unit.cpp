@@ -31,7 +31,7 @@ bool beginsWithInches(const Live& live, unsigned channel, const QString& languag
 
 bool countsInches(const Live& live, unsigned channel, const QString& language, const QStringList& lines, int cursor) {
     const UnitCodes codes = codesOf(live, channel, language);
-    const QRegularExpression code(QString("(?<![A-Z_$0-9])G0*(?:(%1)|(%2))(?![0-9.])").arg(codes.inches, codes.millimetres), QRegularExpression::CaseInsensitiveOption);
+    const QRegularExpression code(QString("(?<![A-Z_$])G0*(?:(%1)|(%2))(?![0-9.])").arg(codes.inches, codes.millimetres), QRegularExpression::CaseInsensitiveOption);
     static const QRegularExpression kFamilyComment("\\([^)]*\\)?"), kOtherComment(";.*|\"[^\"]*\"?");
     for (int at = std::min(cursor, static_cast<int>(lines.size()) - 1); at >= 0; --at) {
         QString bare = lines[at];

@@ -128,8 +128,7 @@ std::optional<SoftKey> Programs::zerosKey() {
         names << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
         values << QString("%1=%2 %3").arg(names.back()).arg(one.wanted, 0, 'g', 12).arg(one.entered, 0, 'g', 12);
     }
-    if (names.size() > 3) names = names.mid(0, 2) << QString::fromUtf8("… %1").arg(other.size());
-    if (!other.empty()) return SoftKey{word("Enter the job's zeros"), [this, other] { enterZeros(other); }, Sign::Offsets, rests, false, false, word("Replaces what is entered: press again"), {}, values.join(' '), names.join(", ")};
+    if (!other.empty()) return SoftKey{word("Enter the job's zeros"), [this, other] { enterZeros(other); }, Sign::Offsets, rests, false, false, word("Replaces what is entered: press again"), {}, values.join(' '), other.size() == 1 ? names.front() : QString::fromUtf8("%1 … %2").arg(names.front()).arg(other.size())};   // the sheet beside it names them all
     if (zeros_.empty() || zerosOf_ != sheet->path) return std::nullopt;
     return SoftKey{word("Undo the zeros"), [this] { takeZerosBack(); }, Sign::Undo, rests};
 }

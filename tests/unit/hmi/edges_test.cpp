@@ -229,8 +229,6 @@ TEST_F(EdgeTasks, GoAndComeBackWholeAndHaveBaseLengths) {
     hand.touchCell(offsets.table(), 1, columnOf(offsets, "Base L1"));
     hand.type("7.5"), hand.soft("Input");
     ASSERT_TRUE(waitFor([&] { return dp(2, kDpBase) == 7.5; }));
-    noWordIsShortened(*window);
-    hand.screen("offsets");
     hand.touchCell(offsets.table(), 1, columnOf(offsets, "Base L1"));
     const double length = dp(2, kDpLength);
     hand.soft("Delete edge");
@@ -254,6 +252,8 @@ TEST_F(EdgeTasks, GoAndComeBackWholeAndHaveBaseLengths) {
     EXPECT_EQ(dp(2, kDpLength), 121);
     hand.soft("Base lengths");
     EXPECT_GE(columnOf(offsets, "Wear L1"), 0);
+    hand.soft("Base lengths");
+    noWordIsShortened(*window);   // makes the screens anew
 }
 
 // The page of a tool shows them, and leads to where they are entered.
