@@ -532,8 +532,10 @@ void CompensationPage::composeGraph(Writer& w) {
         }
         w.line(before, place(one.points.back()), colour, width);
     };
+    QColor besides = t.accent;
+    besides.setAlpha(110);
     for (const CompensationCurve& one : neighbours_)
-        if (!one.points.empty()) draw(one, t.faint, 1);
+        if (!one.points.empty()) draw(one, besides, px(1));
     if (changed) draw(*opened_, t.warn, 1);
     draw(*curve, t.accent, px(2));
     const auto row = static_cast<std::size_t>(std::max(0, points_->row()));
