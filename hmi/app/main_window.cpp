@@ -302,7 +302,7 @@ void MainWindow::composeTop(Writer& w) {
         right = box.left() - px(6);
     };
     button(kHitHelp, word("Help"), Sign::Help, 116);
-    button(kHitLock, word("Lock"), Sign::Lock, 104);
+    button(kHitLock, word("Lock"), Sign::Lock, 108);
     button(kHitTheme, dark_ ? word("Light") : word("Dark"), dark_ ? Sign::Sun : Sign::Moon, 100);
     button(kHitTongue, nameOf(spoken()), Sign::Tongue, 104);
     w.text(QRectF(right - px(84), 0, px(78), h), QDateTime::currentDateTime().toString("HH:mm:ss"), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);

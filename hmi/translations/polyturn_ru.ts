@@ -71,12 +71,12 @@
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being read: the place answers slowly</source>
-        <translation>%1 читается: место отвечает медленно</translation>
+        <translation>%1 читается: носитель отвечает медленно</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being written: the place answers slowly</source>
-        <translation>%1 записывается: место отвечает медленно</translation>
+        <translation>%1 записывается: носитель отвечает медленно</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -436,7 +436,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>All zeros together</source>
-        <translation>Все нули вместе</translation>
+        <translation>Сумма смещений</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -701,7 +701,7 @@
     <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts.</source>
-        <translation>Сначала отведите оси на свободное место! Коснитесь дважды одного из этих кадров (или Enter) либо введите номер: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Первый пуск покажет, что будет; второй выполнит: инструмент, функции, оси, затем резание.</translation>
+        <translation>Сначала отведите оси в безопасное место. Дважды коснитесь кадра (или Enter) либо введите его номер. «Перезапуск» просчитает программу до него без движения, с учётом ожиданий. Первый пуск покажет, что будет выполнено; второй вызовет инструмент и функции, подведёт оси и начнёт резание.</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -876,7 +876,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Circularity error</source>
-        <translation>Отклонение круглости</translation>
+        <translation>Отклонение от круглости</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1176,7 +1176,7 @@
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Differs from file</source>
-        <translation>Отличие от файла</translation>
+        <translation>Отличия от файла</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -1461,7 +1461,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>External</source>
-        <translation>Внешний</translation>
+        <translation>Внеш. смещение</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1701,7 +1701,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Forget place</source>
-        <translation>Забыть место</translation>
+        <translation>Забыть папку</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1716,7 +1716,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
-        <translation>От</translation>
+        <translation>Откуда</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -1741,7 +1741,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Full torque</source>
-        <translation>Полный момент</translation>
+        <translation>Полный момент суппорта</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1791,7 +1791,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Greatest, least deviation</source>
-        <translation>Наибольшее, наименьшее отклонение</translation>
+        <translation>Отклонение, макс. / мин.</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1946,7 +1946,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
-        <translation>Он следует за главным</translation>
+        <translation>Синхронизация с гл. шпинделем</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -1996,12 +1996,12 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
-        <translation>Его патрон зажимает</translation>
+        <translation>Зажать патрон противошпинделя</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
-        <translation>Его патрон открывается</translation>
+        <translation>Разжать патрон противошпинделя</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2036,7 +2036,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Keep as place</source>
-        <translation>Запомнить место</translation>
+        <translation>Запомнить папку</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -2056,7 +2056,7 @@
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Keyboard layout</source>
-        <translation>Раскладка</translation>
+        <translation>Раскладка клавиатуры</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2086,7 +2086,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
-        <translation>L%1 определяет %2 из %3: что станет там короче, сократит цикл.</translation>
+        <translation>L%1 определяет %2 из %3: ускорение здесь сокращает цикл.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -2261,7 +2261,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
-        <translation>Малый момент суппорта</translation>
+        <translation>Ограничить момент суппорта</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2276,7 +2276,7 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Lock</source>
-        <translation>Замок</translation>
+        <translation>Протирка</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2296,7 +2296,7 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Locked for cleaning</source>
-        <translation>Заблокировано для протирки</translation>
+        <translation>Экран заблокирован для протирки</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2321,12 +2321,12 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Logged in: %1, %2</source>
-        <translation>В системе: %1, %2</translation>
+        <translation>Вход выполнен: %1 (%2)</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Longer</source>
-        <translation>Дольше</translation>
+        <translation>Окно больше</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -2341,7 +2341,7 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Lower</source>
-        <translation>Низ</translation>
+        <translation>Нижн.</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -2436,7 +2436,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Meaning</source>
-        <translation>Смысл</translation>
+        <translation>Описание</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -2456,7 +2456,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Measured parts</source>
-        <translation>Измеренные детали</translation>
+        <translation>Замеры деталей</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -2656,7 +2656,7 @@
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
-        <translation>Нет параметра с таким номером, именем или смыслом.</translation>
+        <translation>Нет параметра с таким номером, именем или описанием.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2676,7 +2676,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
-        <translation>Нет сигнала с таким именем или смыслом.</translation>
+        <translation>Нет сигнала с таким именем или описанием.</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -2846,12 +2846,12 @@
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
-        <translation>Коррекции</translation>
+        <translation>Корректоры</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
-        <translation>Одно кольцо</translation>
+        <translation>Цена кольца</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -3061,7 +3061,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Parts left</source>
-        <translation>Деталей ещё</translation>
+        <translation>Ещё деталей</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -3091,7 +3091,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Paths since these screens started; tips drawn as points</source>
-        <translation>Пути с запуска этих экранов; вершины показаны точками</translation>
+        <translation>Траектории с запуска экрана; вершины резцов — точки</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3151,7 +3151,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Places</source>
-        <translation>Места</translation>
+        <translation>Папки и носители</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3166,12 +3166,12 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
-        <translation>S без номера: противошпиндель</translation>
+        <translation>S без номера = противошпиндель</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
-        <translation>S без номера: главный шпиндель</translation>
+        <translation>S без номера = главный шпиндель</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3341,7 +3341,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
-        <translation>Радиус, заданный</translation>
+        <translation>Заданный радиус</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3361,7 +3361,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid %1 %</source>
-        <translation>Быстро %1 %</translation>
+        <translation>Ускор. %1 %</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -3396,7 +3396,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
-        <translation>Выход в 0</translation>
+        <translation>Реф. точка</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -3406,7 +3406,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
-        <translation>Все: выход в 0</translation>
+        <translation>Все оси: в реф. точку</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3711,7 +3711,7 @@
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
-        <translation>Поиск: номер, имя или смысл</translation>
+        <translation>Поиск: номер, имя или описание</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3761,7 +3761,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Shorter</source>
-        <translation>Короче</translation>
+        <translation>Окно меньше</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -3796,7 +3796,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
-        <translation>С</translation>
+        <translation>Начало</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3811,12 +3811,12 @@
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block all</source>
-        <translation>Покадрово все</translation>
+        <translation>Покадрово: все</translation>
     </message>
     <message>
         <location filename="../screens/operation_keys.cpp"/>
         <source>Single block group %1</source>
-        <translation>Покадрово группа %1</translation>
+        <translation>Покадрово: группа %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3866,7 +3866,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>Solid outline: monitored; dashed: drawn only</source>
-        <translation>Сплошной контур: под защитой; штриховой: только показано</translation>
+        <translation>Сплошной контур — под защитой, штриховой — только показ</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -4226,7 +4226,7 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
-        <translation>Противошпиндель свободен</translation>
+        <translation>Отключить синхронизацию</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -4266,12 +4266,12 @@
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
-        <translation>Главный патрон зажимает</translation>
+        <translation>Зажать патрон гл. шпинделя</translation>
     </message>
     <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck opens</source>
-        <translation>Главный патрон открывается</translation>
+        <translation>Разжать патрон гл. шпинделя</translation>
     </message>
     <message>
         <location filename="../app/help_view.cpp"/>
@@ -4441,7 +4441,7 @@
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>This channel has no offsets.</source>
-        <translation>У этого канала нет коррекций.</translation>
+        <translation>У этого канала нет корректоров.</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -4506,7 +4506,7 @@
     <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>This system knows no WINS: names come from the name servers</source>
-        <translation>Эта система не знает WINS: имена дают серверы DNS</translation>
+        <translation>WINS не поддерживается, имена определяет DNS</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -4576,7 +4576,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Time left</source>
-        <translation>Время ещё</translation>
+        <translation>Ещё времени</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4631,7 +4631,7 @@
     <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>To the offsets</source>
-        <translation>К коррекциям</translation>
+        <translation>К корректорам</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -4741,7 +4741,7 @@
     <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>Касания и клавиши не действуют. Станок продолжает работу. Снимется само через %1 с.</translation>
+        <translation>Касания и клавиши не действуют. Станок продолжает работу. Блокировка снимется через %1 с.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4756,7 +4756,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger downwards</source>
-        <translation>Запуск вниз</translation>
+        <translation>Запуск по спаду</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4766,7 +4766,7 @@
     <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Trigger upwards</source>
-        <translation>Запуск вверх</translation>
+        <translation>Запуск по росту</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4816,7 +4816,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type number: the T that calls it</source>
-        <translation>Номер типа: T, которым его вызывают</translation>
+        <translation>Номер типа (T для вызова)</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4831,7 +4831,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
-        <translation>USB и сетевые места появляются, когда они подключены. «Запомнить место» добавляет показанную папку; места цеха записаны в /etc/polyturn/places: ИМЯ=/ПАПКА.</translation>
+        <translation>USB и сетевые папки появляются, когда они подключены. «Запомнить папку» добавляет показанную папку; папки цеха записаны в /etc/polyturn/places: ИМЯ=/ПАПКА.</translation>
     </message>
     <message>
         <location filename="../screens/compensation_page.cpp"/>
@@ -4866,7 +4866,7 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Upper</source>
-        <translation>Верх</translation>
+        <translation>Верхн.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4926,12 +4926,12 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1 for %2, %3 so far</source>
-        <translation>Ждёт у %1 канал %2, уже %3</translation>
+        <translation>Ждёт канал %2 на %1, %3</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1, all are there</source>
-        <translation>Ждёт у %1, все на месте</translation>
+        <translation>Ждёт на %1, все на месте</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -5131,12 +5131,12 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>X of its end, radius</source>
-        <translation>X его торца, радиус</translation>
+        <translation>X торца калибра (радиус)</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Z of its end</source>
-        <translation>Z его торца</translation>
+        <translation>Z торца калибра</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -5196,12 +5196,12 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
-        <translation>присоедините её (AP_DETCHR)</translation>
+        <translation>подключите её (AP_DETCHR)</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>axes are on their way to their reference points</source>
-        <translation>оси идут в нулевые точки</translation>
+        <translation>оси идут в реф. точки</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5266,7 +5266,7 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck open</source>
-        <translation>патрон открыт</translation>
+        <translation>патрон разжат</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5346,7 +5346,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>detached</source>
-        <translation>отсоединена</translation>
+        <translation>отключена</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5526,7 +5526,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
-        <translation>самый долгий: меньше %1 при такте %2</translation>
+        <translation>самый долгий: до %1 (такт %2)</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5661,7 +5661,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>no ref.</source>
-        <translation>нет нуля</translation>
+        <translation>нет реф.</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5686,7 +5686,7 @@
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
-        <translation>не все оси в нуле</translation>
+        <translation>не все оси в реф. точке</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -5706,7 +5706,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
-        <translation>нет выхода в ноль</translation>
+        <translation>нет реф. точки</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -5826,7 +5826,7 @@
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>press reference all</source>
-        <translation>нажмите «все в ноль»</translation>
+        <translation>нажмите «Все оси: в реф. точку»</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5876,7 +5876,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>reference it</source>
-        <translation>выведите её в ноль</translation>
+        <translation>выведите её в реф. точку</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -6091,12 +6091,12 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too large</source>
-        <translation>больше допуска</translation>
+        <translation>выше допуска</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too small</source>
-        <translation>меньше допуска</translation>
+        <translation>ниже допуска</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -6126,7 +6126,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
-        <translation>вращается с ним, отклонение %1°</translation>
+        <translation>вращается синхронно, отклонение %1°</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

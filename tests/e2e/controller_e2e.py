@@ -112,7 +112,7 @@ class Controller(LiveCase):
         self.wait_for(told, 15, "the message of the PLC")
         alarm = told()[0]
         self.assertIn("the chuck must not open while the spindle turns; cause: M11 before the spindle was stopped. Program M5 before M11.", alarm["text"])
-        self.assertIn("патрон нельзя открыть при вращении шпинделя", alarm["builder"]["ru"]["text"])
+        self.assertIn("патрон нельзя разжать при вращении шпинделя", alarm["builder"]["ru"]["text"])
         self.assertEqual(alarm["builder"]["cs"]["remedy"], "Naprogramujte M5 před M11.")
 
     def test_selecting_a_job_enters_how_many_parts_it_wants(self):

@@ -150,7 +150,7 @@ TEST_F(PageTasks, AMessageOfTheMachinesBuilderIsReadInTheReadersLanguage) {
     window->setTongue(Tongue::Russian);
     const AlarmEntry& entry = window->desk().alarms.all()[static_cast<std::size_t>(at)];
     ASSERT_TRUE(waitFor([&] { return entry.told; }));
-    EXPECT_TRUE(entry.text.contains(QString::fromUtf8("патрон нельзя открыть при вращении шпинделя; причина: M11 до останова шпинделя"))) << entry.text.toStdString();
+    EXPECT_TRUE(entry.text.contains(QString::fromUtf8("патрон нельзя разжать при вращении шпинделя; причина: M11 до останова шпинделя"))) << entry.text.toStdString();
     EXPECT_EQ(entry.remedy, QString::fromUtf8("Запрограммируйте M5 перед M11."));
     window->setTongue(Tongue::English);
     for (const char* key : {"reset", "mode L1=mdi", "mdi L1 M5", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
