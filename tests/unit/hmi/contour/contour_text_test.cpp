@@ -25,7 +25,7 @@ Description shaft() {
 TEST(ContourText, IsReadBackInEachLanguage) {
     for (const Language language : {Language::Family, Language::Fagor, Language::Sinumerik})
         for (const bool diameter : {true, false}) {
-            const Writing writing{language, diameter, language != Language::Family, 3};
+            const Writing writing{language, diameter, language != Language::Family, false, 3};
             const Description told = shaft();
             const Solved solved = solve(told.contour);
             ASSERT_TRUE(solved.complete());
@@ -49,15 +49,15 @@ TEST(ContourText, IsReadBackInEachLanguage) {
 TEST(ContourText, BlocksAreThoseOfTheLanguage) {
     const Description told = shaft();
     const Solved solved = solve(told.contour);
-    const auto family = blocks_of(told, solved, {Language::Family, true, false, 3});
+    const auto family = blocks_of(told, solved, {Language::Family, true, false, false, 3});
     ASSERT_EQ(family.size(), 4u);
     EXPECT_EQ(family[0], "N100 G1 X20. Z0.");
     EXPECT_EQ(family[2].substr(0, 16), "G2 X32. Z-30. R8");
     EXPECT_EQ(family[3].substr(0, 15), "N200 G1 X60.25 ");
-    const auto siemens = blocks_of(told, solved, {Language::Sinumerik, false, true, 3});
+    const auto siemens = blocks_of(told, solved, {Language::Sinumerik, false, true, false, 3});
     EXPECT_EQ(siemens[0], "N100 G90 G1 X10 Z0");
     EXPECT_NE(siemens[2].find("CR=8"), std::string::npos);
-    const auto fagor = blocks_of(told, solved, {Language::Fagor, true, true, 3});
+    const auto fagor = blocks_of(told, solved, {Language::Fagor, true, true, false, 3});
     EXPECT_EQ(fagor[2].substr(0, 14), "G2 X32 Z-30 R8");
 }
 
@@ -70,7 +70,7 @@ TEST(ContourText, LargeArcsAreCutInParts) {
     told.contour.elements = {arc};
     const Solved solved = solve(told.contour);
     ASSERT_TRUE(solved.complete());
-    const auto blocks = blocks_of(told, solved, {Language::Family, true, false, 3});
+    const auto blocks = blocks_of(told, solved, {Language::Family, true, false, false, 3});
     EXPECT_EQ(blocks.size(), 3u);
     for (std::size_t i = 1; i < blocks.size(); ++i) EXPECT_EQ(blocks[i].substr(0, 2), "G3");
 }
