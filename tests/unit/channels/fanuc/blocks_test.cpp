@@ -207,5 +207,25 @@ TEST(FanucBlock, ASpindleThatAnotherChannelOrThePlcMayHaveStartedIsAWarningOnce)
     }
 }
 
+// Where the shorter way to the hole goes over 0, the second hole of L2 is at the same place and no turn away from it.
+TEST(FanucDrilling, RepeatsStayAtTheirPlaceOfARotaryAxis) {   // fanuc_lathe 8.5, 10.2
+    Play how;
+    how.sets = {"F0001#1=1", "F5101#0=1", "F1008 A5=1", "F1260 A5=360"};
+    const Played played = play("G17 G97 S500 M3\nG99 G0 X0. Z5.\nG81 C200. Z-10. R-1. F0.1 L2\nG80\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    int rapids = 0;
+    for (const std::string& line : played.lines()) rapids += line.find(R"("kind":"rapid")") != std::string::npos;
+    EXPECT_EQ(rapids, 1 + 3 + 2) << played.events;   // to the start; to the hole, R and back; R and back
+}
+
+TEST(FanucData, RollOverOfG10L50HoldsForTheNextWord) {   // fanuc_lathe 7, 10.2
+    const std::string input = "G98 F1200\nG10 L50\nN1008 P3 R00000001\nN1260 P3 R180000\nG11\n";
+    expect_last_move({input + "G1 C-350.\nM30\n", R"("C":10})"});
+    expect_last_move({input + "G1 C200.\nH-30.\nM30\n", R"("C":170})"});
+    Play how;
+    how.sets = {"F1008 A5=1", "F1260 A5=360"};
+    expect_last_move({"G98 F1200\nG10 L50\nN1008 P3 R00000000\nG11\nG1 C-350.\nM30\n", R"("C":-350})"}, how);
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
