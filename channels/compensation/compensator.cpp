@@ -59,11 +59,12 @@ void Compensator::select(int side) {
     side_ = side;
 }
 
-void Compensator::nose(double radius, Vec tip, bool has_offset) {
+void Compensator::nose(double radius, Vec tip, bool has_offset, Vec offset_step) {
     nose_ = std::fabs(radius);
     nose_sign_ = radius < 0 ? -1 : 1;
     tip_ = tip;
     has_offset_ = has_offset;
+    offset_step_ = offset_step;
 }
 
 bool Compensator::in_plane(const Move& m) const {
@@ -72,8 +73,12 @@ bool Compensator::in_plane(const Move& m) const {
     return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame || std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;
 }
 
+// Where the move begins as seen with the offset that it ends with. Corners are made of what their two elements have there, each from
+// its own end of them.
+Vec Compensator::contour_start(const Move& m) const { return begins_at(m) + offset_step_; }
+
 Element Compensator::element_of(const Move& m) const {
-    const Vec start{m.machine_start[p_], m.machine_start[q_]}, end{m.machine[p_], m.machine[q_]};
+    const Vec start = contour_start(m), end{m.machine[p_], m.machine[q_]};
     Element e = is_arc(m) ? arc(start, end, {m.centre_p, m.centre_q}, m.sweep) : line(start, end);
     e.nose = nose_;
     e.side = side_ * nose_sign_;

@@ -45,7 +45,8 @@ public:
     void cancel() { cancel_ = true, wish_set_ = false; }
     void cancel_towards(Vec wish) { cancel_ = true, wish_ = wish, wish_set_ = length(wish) > 0; }
     // radius may be negative: the sides change places. tip: from nose centre to imaginary tip, mm.
-    void nose(double radius, Vec tip, bool has_offset);
+    // offset_step: how much of the next move is another tool offset.
+    void nose(double radius, Vec tip, bool has_offset, Vec offset_step = {});
     void zero_distance() { zero_ = true; }   // plane axes are named and do not move
     void suspend();                          // G53, reference: the next move leaves the vector behind
     void settle();                           // the held block ends at its normal: nothing is known of what follows
@@ -124,6 +125,8 @@ private:
     HeldCalls& queue() { return held_ ? trailing_ : ready_; }
     void pump();
     bool in_plane(const Move& m) const;
+    Vec begins_at(const Move& m) const;
+    Vec contour_start(const Move& m) const;
     Element element_of(const Move& m) const;
     Element from_nose(Element e) const;
     Element to_nose(Element e) const;
@@ -180,6 +183,7 @@ private:
     int nose_sign_ = 1;
     Vec tip_;                   // mm
     bool has_offset_ = false;
+    Vec offset_step_;           // of the move that comes
     bool repeated_ = false, cancel_ = false, wish_set_ = false, suspended_ = false;
     Vec wish_;
     Bypass bypass_ = Bypass::None;

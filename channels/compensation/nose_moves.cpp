@@ -15,6 +15,8 @@ constexpr double kNoseStands = 1e-7;   // mm
 
 }  // namespace
 
+Vec Compensator::begins_at(const Move& m) const { return {m.machine_start[p_], m.machine_start[q_]}; }
+
 void Compensator::deliver(const Move& m, const BlockContext& at) {
     if (ready_.empty() && !halted_) {
         out_->move(m, at);
@@ -40,7 +42,7 @@ bool Compensator::finish(Vectors end) {
     Verdict verdict = Verdict::Clean;
     if (b.role == Role::Contour) verdict = check_element(b.element, start_, end, options_.check);
     if (verdict == Verdict::Interferes) return fail(Alarm::CompInterference, false, b.at);
-    here_ = b.element.start + displacement_;
+    here_ = begins_at(b.move) + displacement_;
     const bool looks_back = b.role == Role::Contour && ready_.empty() && !halted_;   // behind a barrier moves leave later, unlooked at
     if (looks_back) look_back_.begin_block(b.element);
     if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
@@ -64,7 +66,7 @@ bool Compensator::finish(Vectors end) {
 void Compensator::finish_at_programmed() {
     if (!release_before()) return;
     Held& b = block_;
-    here_ = b.element.start + displacement_;
+    here_ = begins_at(b.move) + displacement_;
     if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
     go_element(b, b.element.end, true);
     start_ = Vectors::one({});
@@ -83,9 +85,9 @@ void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) 
         return;
     }
     Held b{m, at, {}, tip_, Role::Contour};
-    const Vec start{m.machine_start[p_], m.machine_start[q_]}, end{m.machine[p_], m.machine[q_]};
-    here_ = start + displacement_;
-    go_corner(b, start_, 1, start_.count, start, displacement_ - start_.at[0]);
+    const Vec end{m.machine[p_], m.machine[q_]};
+    here_ = begins_at(m) + displacement_;
+    go_corner(b, start_, 1, start_.count, contour_start(m), displacement_ - start_.at[0]);
     b.element.end = end;
     go_element(b, end, true);
     start_ = Vectors::one({});

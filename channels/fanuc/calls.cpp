@@ -19,7 +19,24 @@ bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
     arguments = empty_locals();
     std::size_t set = 0;      // of I J K, from 0
     char last_of_set = 0;
+    const auto variable_of = [&](char letter) -> std::size_t {   // 0: none
+        const std::size_t variable = kArgument[static_cast<std::size_t>(letter - 'A')];
+        if (letter < 'I' || letter > 'K') return variable;
+        if (last_of_set && letter <= last_of_set) ++set;
+        last_of_set = letter;
+        return set >= 10 ? 0 : variable + 3 * set;
+    };
+    // A word whose variable is empty gives an empty argument, and counts among the sets (fanuc_lathe 6.2, 6.9.1).
+    std::size_t empty = 0;
+    const auto take_empties = [&](std::size_t words) {
+        for (; empty < block_.empty_count && block_.empties[empty].before <= words; ++empty) {
+            const auto [letter, before] = block_.empties[empty];
+            if (before < from_word || letter == 'N' || letter == 'O' || letter == 'P' || letter == 'L') continue;
+            if (const std::size_t variable = variable_of(letter)) arguments[variable] = kNull;
+        }
+    };
     for (std::size_t k = from_word; k < block_.count; ++k) {
+        take_empties(k);
         const Word& word = block_.words[k];
         const char letter = word.address;
         if (letter == 'N' || letter == 'O' || letter == 'P' || letter == 'L') continue;
@@ -29,18 +46,13 @@ bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
             return core_.fail(Alarm::MacroArgument, 0, std::string(1, letter));
         };
         if (word.axis >= 0 || letter >= 'a') return refuse();
-        std::size_t variable = kArgument[static_cast<std::size_t>(letter - 'A')];
-        if (letter >= 'I' && letter <= 'K') {
-            if (last_of_set && letter <= last_of_set) ++set;
-            last_of_set = letter;
-            if (set == 10) return refuse();
-            variable += 3 * set;
-        }
+        const std::size_t variable = variable_of(letter);
         if (variable == 0) return refuse();
         double value = word.value;
         if (!word.has_point && !word.from_expression && !settings_.point_means_nothing) value *= argument_step(letter);
         arguments[variable] = value;
     }
+    take_empties(block_.count);
     return true;
 }
 

@@ -233,7 +233,12 @@ bool Interpreter::g10_parameter_block() {
         line += fmt::format("={}", increments ? value * view.axes[place].increment : value);
     }
     if (number == 1322 || (settings_.nct && number >= 1000 && number <= 1009)) wants_barrier_ = true;   // ends of the stroke: as with G22 both sides must mean the same
-    return give_parameter(line, 'R');
+    if (!give_parameter(line, 'R')) return false;
+    if (!settings_.nct && (number == 1008 || number == 1260)) {   // the next word of the axis is read by them
+        fanuc_rollover(view);
+        core_.load_zeros();
+    }
+    return true;
 }
 
 // The program's own machine has the value at once, everybody else when the machine comes here.

@@ -228,10 +228,10 @@ bool Interpreter::run_drilling() {
     hole.dwell_revolutions = settings_.dwell_by_feed_mode && core_.path.feed_mode == FeedMode::PerRevolution;
     const AxisValues step = target;
     const AxisValues from = core_.path.programmed;
-    for (std::int64_t k = 0; k < repeats; ++k) {
+    for (std::int64_t k = 0; k < repeats; ++k) {   // once at the hole's place it stays there: a rotary axis may have come to it by another turn
         AxisValues position = core_.path.programmed;
         for (unsigned i = 0; i < core_.view().axis_count; ++i)
-            if (named >> i & 1u) position[i] = steps >> i & 1u && k > 0 ? core_.path.programmed[i] + (step[i] - from[i]) : step[i];
+            if (named >> i & 1u && (k == 0 || steps >> i & 1u)) position[i] = k == 0 ? step[i] : core_.path.programmed[i] + (step[i] - from[i]);
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
     }
     if (turns_spindle) {   // the loop opens again

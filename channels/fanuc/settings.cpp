@@ -136,14 +136,19 @@ void share_b_axis(MachineView& view) {
 
 }  // namespace
 
-// F1008, F1260: roll-over as a fanuc machine is set up for it (fanuc_lathe 10.2); N0107 is the nct control's.
 void fanuc_axes(MachineView& view) {
-    const Table& t = view.table();
     share_b_axis(view);
+    fanuc_rollover(view);
+}
+
+// F1008, F1260: roll-over as a fanuc machine is set up for it (fanuc_lathe 10.2); N0107 is the nct control's. What a transformation or
+// a factor has taken from an axis for its time stays taken.
+void fanuc_rollover(MachineView& view) {
+    const Table& t = view.table();
     for (unsigned i = 0; i < view.axis_count; ++i) {
         ChannelAxis& axis = view.axes[i];
         const unsigned a = axis.machine_axis + 1u;
-        if (!axis.rotary) continue;
+        if (!axis.rotary || axis.turns || axis.counts_on) continue;
         axis.rollover = bit(t, f1008, a, 0);
         if (!axis.rollover) continue;
         axis.rollover_shortest = !bit(t, f1008, a, 1);

@@ -129,6 +129,7 @@ struct Settings {
 
 void common_settings(Settings& settings, const params::Table& table, unsigned channel);
 void fanuc_axes(MachineView& view);
+void fanuc_rollover(MachineView& view);
 Settings fanuc_settings(const params::Table& table, unsigned channel);
 
 }  // namespace polyturn::channels::fanuc

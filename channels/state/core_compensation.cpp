@@ -128,7 +128,16 @@ void Core::tell_nose() {
     const double radius = tool.nose_radius + tool.allowance;
     const Vec from_centre = std::fabs(tool.nose_radius) * (tip ? tip_of(comp_options_, tool.tip) : Vec{});
     const bool has_offset = (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off;
-    if (!staged_) comp_->nose(radius, from_centre, has_offset);
+    // The contour does not bend where a straight block takes the tool over to another offset (fanuc_lathe 1.4, 2.1).
+    Vec step;
+    int p = -1, q = -1;
+    plane_axes(p, q);
+    const bool straight = move_.kind == MoveKind::Rapid || move_.kind == MoveKind::Linear;
+    if (straight && !offset_alone_ && !inclined_ && !path.factored && p >= 0 && q >= 0) {
+        const auto change = [this](int place) { return path.wanted[static_cast<std::size_t>(place)] - path.vector[static_cast<std::size_t>(place)]; };
+        step = {change(p), change(q)};
+    }
+    if (!staged_) comp_->nose(radius, from_centre, has_offset, step);
     else tell_comp([radius, from_centre, has_offset](compensation::Compensator& comp) { comp.nose(radius, from_centre, has_offset); });
 }
 

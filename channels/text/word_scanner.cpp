@@ -147,6 +147,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 case ScanHook::Read::Null:
                     if (word.address == 'N' || word.address == 'O') return fail(Alarm::MacroFormat, line, begin, 1, word.address);
                     only_number = false;
+                    if (word.axis < 0 && !comma && block.empty_count < block.empties.size()) block.empties[block.empty_count++] = {word.address, static_cast<std::uint8_t>(block.count)};
                     continue;   // a word whose variable is empty does not exist
                 case ScanHook::Read::Value: break;
             }

@@ -39,8 +39,14 @@ struct Block {
     std::uint16_t count = 0;
     std::uint16_t name_from = 0, name_length = 0;   // <NAME> of a program: its first byte, from 0; without the signs
     bool has_list = false;               // P1.12.16: several points, read by who expects a list from the text
+    struct Empty {
+        char address;
+        std::uint8_t before;             // so many words stand before it
+    };
+    std::array<Empty, 33> empties;       // words whose variable is empty: they are none, but arguments of a macro all the same
+    std::uint16_t empty_count = 0;
 
-    void clear() { letters = 0, count = 0, has_list = false, name_length = 0; }
+    void clear() { letters = 0, count = 0, has_list = false, name_length = 0, empty_count = 0; }
     bool has(char letter) const { return (letters & letter_bit(letter)) != 0; }
     const Word& word(char letter) const { return words[last[static_cast<std::size_t>(letter - 'A')]]; }
     double value(char letter) const { return word(letter).value; }

@@ -207,5 +207,46 @@ TEST(FanucBlock, ASpindleThatAnotherChannelOrThePlcMayHaveStartedIsAWarningOnce)
     }
 }
 
+// Where the shorter way to the hole goes over 0, the second hole of L2 is at the same place and no turn away from it.
+TEST(FanucDrilling, RepeatsStayAtTheirPlaceOfARotaryAxis) {   // fanuc_lathe 8.5, 10.2
+    Play how;
+    how.sets = {"F0001#1=1", "F5101#0=1", "F1008 A5=1", "F1260 A5=360"};
+    const Played played = play("G17 G97 S500 M3\nG99 G0 X0. Z5.\nG81 C200. Z-10. R-1. F0.1 L2\nG80\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    int rapids = 0;
+    for (const std::string& line : played.lines()) rapids += line.find(R"("kind":"rapid")") != std::string::npos;
+    EXPECT_EQ(rapids, 1 + 3 + 2) << played.events;   // to the start; to the hole, R and back; R and back
+}
+
+TEST(FanucData, RollOverOfG10L50HoldsForTheNextWord) {   // fanuc_lathe 7, 10.2
+    const std::string input = "G98 F1200\nG10 L50\nN1008 P3 R00000001\nN1260 P3 R180000\nG11\n";
+    expect_last_move({input + "G1 C-350.\nM30\n", R"("C":10})"});
+    expect_last_move({input + "G1 C200.\nH-30.\nM30\n", R"("C":170})"});
+    Play how;
+    how.sets = {"F1008 A5=1", "F1260 A5=360"};
+    expect_last_move({"G98 F1200\nG10 L50\nN1008 P3 R00000000\nG11\nG1 C-350.\nM30\n", R"("C":-350})"}, how);
+}
+
+// Another wear in a straight block moves the tool obliquely; the contour and its corners stay as they are programmed.
+TEST(FanucCompensation, IsNotBentByAnotherWear) {   // fanuc_lathe 1.4, 2.1, 3.18
+    Play how;
+    how.sets = {"F5002#1=1"};
+    const auto offsets = [](MachineView& view) {
+        view.store->offsets[1].geometry_r = 0.5;
+        view.store->offsets[1].tip = 3;
+        view.store->offsets[1].wear = {0.2, 0.0, 0.1};
+        view.store->offsets[2].wear = {0.6, 0.0, -0.3};
+    };
+    const Played played = play(
+        "G18 G40 G98 F300\nG0 X60. Z20. T0101\nG0 X40. Z5.\nG42 G1 Z2.\nN30 Z-10.\nN40 Z-20. T0102\nN50 X50.\nN60 Z-30. T0101\nN70 X60.\nN80 G40 X70. Z-50. T0102\nM30\n", how, offsets);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("n":30,)", R"("pos":{"X":40,"Z":-10.5,)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("n":40,)", R"("pos":{"X":40,"Z":-20,"C":0},"machine":{"X":20.3,"Z":-20.3,)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("n":60,)", R"("pos":{"X":50,"Z":-30,"C":0},"machine":{"X":25.1,"Z":-29.9,)"})) << played.events;
+    // The way out: V = r (n1 + n2) / (1 + n1 n2) of the programmed lines, still with the old wear, then r n2 with the new one.
+    EXPECT_TRUE(played.has({R"("n":70,)", R"("pos":{"X":59.780776,"Z":-30,"C":0},"machine":{"X":29.990388,"Z":-29.9,)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("n":80,)", R"("pos":{"X":59.970143,"Z":-30.378732,"C":0},"machine":{"X":30.285071,"Z":-30.678732,)"})) << played.events;
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing

@@ -63,6 +63,18 @@ TEST(MacroCalls, OfG661LeaveStopsWaitsAndSubprogramsAlone) {
     EXPECT_TRUE(both.has({R"("number":"PT1040")", R"("column":4)"})) << both.events;
 }
 
+TEST(MacroCalls, TakeEmptyArgumentsAsSuch) {   // fanuc_lathe 6.2, 6.9.1: the later one counts, n of a set is the order of appearance
+    const Played played = play("G65 P8000 I1. J#1 J2. I#1 K3. D#1 A5. A#1\nM30\nO8000\n#501=#4\n#502=#5\n#503=#8\n#504=#7\n#505=#9\n#506=#12\n#507=#1\nM99\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#501","value":1)"}));
+    EXPECT_TRUE(played.has({R"("name":"#502","value":null)"}));
+    EXPECT_TRUE(played.has({R"("name":"#503","value":2)"})) << played.events;   // J of the second set
+    EXPECT_TRUE(played.has({R"("name":"#504","value":null)"}));
+    EXPECT_TRUE(played.has({R"("name":"#505","value":null)"}));
+    EXPECT_TRUE(played.has({R"("name":"#506","value":3)"}));   // K of the third
+    EXPECT_TRUE(played.has({R"("name":"#507","value":null)"}));
+}
+
 // fanuc_lathe 6.9.4: "arguments of both types as in G65", which stand behind it (6.9.1); nct part 2 18.2: all words of the block.
 TEST(MacroCalls, ByACodeLoseNoWordOfTheirBlock) {
     Play fanuc;
