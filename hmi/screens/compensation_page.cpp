@@ -44,7 +44,7 @@ bool same(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::a
 
 CompensationPage::CompensationPage(Desk& desk, QWidget* parent)
     : QWidget(parent), desk_(desk), curves_(new Table(this)), points_(new Table(this)), settings_(new Table(this)), graph_(new FreeSheet(this)), pad_(new NumberPad(this)) {
-    curves_->columns = {{word("Table"), 3.4}, {word("Points"), 0.9, kRight}, {word("Largest"), 1.3, kRight}};
+    curves_->columns = {{word("Table"), 3.0}, {word("Points"), 0.95, kRight}, {word("Largest"), 1.5, kRight}};
     curves_->rowUnits = 36, curves_->textUnits = 14;
     curves_->nothing = word("No compensation table is described (N2500 to N2808).");
     curves_->rows = [this] { return static_cast<int>(all_.size()); };
@@ -82,7 +82,7 @@ CompensationPage::CompensationPage(Desk& desk, QWidget* parent)
         if (building_) return;
         focus_ = Focus::Points, pad_->clear(), refresh();
     };
-    settings_->columns = {{word("Number"), 1.2}, {word("Name"), 2.5}, {word("Value"), 1.2, kRight}};
+    settings_->columns = {{word("Number"), 1.2}, {word("Name"), 2.2}, {word("Value"), 1.35, kRight}};
     settings_->rowUnits = 30, settings_->textUnits = 14;
     settings_->rows = [this] { return static_cast<int>(describedBy_.size()); };
     settings_->cell = [this](int row, int column) -> Table::Cell {
