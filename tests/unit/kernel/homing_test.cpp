@@ -250,8 +250,8 @@ TEST(LostReference, StopsTheProgramThatMovesTheAxis) {
 
 TEST(LostReference, IsSaidBeforeTheAxisMovesAndLeavesTheOthersFree) {
     Lost m(1);
-    m.rig.push(1, m.rig.dwell(1, 0.2));
     m.rig.push(1, m.rig.line(1, {10, 0}, 50));
+    m.rig.push(1, m.rig.dwell(1, 0.2));   // the path rests in front of it: the axis does not move at all
     const PathRecord with_z = m.rig.line(1, {0, -5}, 50);
     m.rig.push(1, with_z);
     m.rig.push(1, m.rig.stop(1, StopReason::M30));
