@@ -254,6 +254,8 @@ Interpreter::Flow Interpreter::condition(const char*& at, const char* end) {
     double value = 0.0;
     if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
     const char* const otherwise = else_in(at, end);
+    blanks(at, otherwise);
+    if (at == otherwise) return flow_fault(Alarm::FagorStatement, at - 1, 1, "IF");   // nothing to do: a mistake whether it holds or not
     if (otherwise != end) {
         const char* second = else_in(otherwise + 4, end);
         if (const Flow flow = nothing_follows(second, end); flow != Flow::Done) return flow;

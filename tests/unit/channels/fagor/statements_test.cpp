@@ -61,6 +61,7 @@ TEST(FagorStatement, RefusesByName) {
         {"(SUB 10001)\n(RET)", Alarm::FagorMakerSubroutine}, {"(SUB 1)\n(RET)\n(SUB 1)\n(RET)", Alarm::FagorSubroutineTwice},
         {"(OPEN P5)\n(OPEN P5)", Alarm::FagorProgramExists}, {"(CALL 1)\nM30\n(SUB 1)\n(CALL 1)\n(RET)", Alarm::CallTooDeep},
         {"(P100=P2000)", Alarm::FagorMakerParameter}, {"(TLFN3=65536)", Alarm::FagorValueRange}, {"(TMZT1=-2)", Alarm::FagorValueRange}, {"(NOSEW1=-1)", Alarm::FagorValueRange},
+        {"(IF (1 EQ 2))", Alarm::FagorStatement}, {"(IF (1 EQ 1) ELSE P100=1)", Alarm::FagorStatement},
         {"(IF (1 EQ 1) GOTO N5) N2\nN5 X1", Alarm::FagorRepeat},
         {"(PCALL 1)\nM30\n(SUB 1)\n(PCALL 1)\n(RET)", Alarm::FagorLevels}, {"(P100=GPOSX N5 P9)", Alarm::FagorBlockUnknown},
     };
