@@ -153,7 +153,8 @@ void Machine::run_spindles() noexcept {
         const bool fluctuated = spindle.fluctuates(), could_orient = !spindle.cannot_orient();
         const SpindleUnit::Fault fault = spindle.fault();
         spindle.step(in);
-        core_.spindle_rev_s[s] = spindle.speed() / 60.0;
+        // What is left in the filter of a measurement behind a stop turns nothing: a path fed by it would creep for ever.
+        core_.spindle_rev_s[s] = spindle.command() == 0.0 && spindle.standing() ? 0.0 : spindle.speed() / 60.0;
         tell(signals::sn_ns, spindle.reached());
         tell(signals::sn_n0, spindle.has_encoder() && spindle.standing());
         tell(signals::sn_flu, spindle.fluctuates());

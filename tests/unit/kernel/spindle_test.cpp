@@ -116,6 +116,23 @@ TEST(Spindle, StandingAtFeedPerRevolutionIsAnAlarmAndNoHang) {
     EXPECT_EQ(rig.position(2), 0);
 }
 
+// Its measured speed ends in a filter's tail, never at 0.
+TEST(Spindle, ThatHasBeenStoppedFeedsNothingEither) {
+    TickRig rig;
+    rig.push(1, rig.spindle(1, 600));
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.push(1, rig.line(1, {0, -2}, 10));
+    rig.push(1, rig.aux(1, 'M', 5));
+    rig.push(1, rig.line(1, {0, -4}, 2));
+    PathRecord cut = rig.line(1, {0, -10}, 0.2);
+    cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+    rig.push(1, cut);
+    rig.start(1);
+    rig.run(20'000);
+    EXPECT_TRUE(rig.alarmed(Alarm::SpindleStands, 1));
+    EXPECT_EQ(rig.state(1), ChannelState::Interrupted);
+}
+
 TEST(Spindle, ThatIsJustStartedIsWaitedForHoweverLongTheMachineWasOn) {
     TickRig rig;
     rig.run(500);
