@@ -144,6 +144,7 @@ TEST(ManyChannelsCard, OfSixteenTellsModeBlockCodesToolAndWait) {
     for (unsigned channel = 1; channel <= 16; ++channel)   // where each axis is, in both systems, what it still has to go, how far it is behind
         for (const char* head : {"Workpiece", "Machine", "To go", "Lag"}) EXPECT_TRUE(says(channel, head)) << channel << " " << head;
     noWordIsShortened(window);
+    window.showScreen(0);
     // Beside a large card two columns have room: a touch, or the arrows, turn them to the other two, in all of them.
     Operator hand(window);
     window.desk().choose(7);
@@ -167,6 +168,8 @@ TEST(ManyChannelsCard, OfSixteenTellsModeBlockCodesToolAndWait) {
         window.resize(size);
         frames(window, 60);
         noWordIsShortened(window);
+        window.showScreen(0);
+        frames(window, 60);
         for (unsigned channel = 1; channel <= 16; ++channel) EXPECT_TRUE(says(channel, "Machine")) << channel << " on " << size.width();
     }
 }
