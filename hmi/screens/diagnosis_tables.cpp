@@ -60,8 +60,8 @@ void Diagnosis::fillSignals() {
 }
 
 void Diagnosis::fillAxes() {
-    table_->columns = {{word("Axis"), 1}, {word("Channel"), 1.1}, {word("Commanded"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
-                       {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
+    table_->columns = {{word("Axis"), 0.95}, {word("Channel"), 1.05}, {word("Commanded"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.4, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 1.1},
+                       {word("Follow. error"), 1.35, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
                        {word("Torque"), 1.15, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.3}};
     table_->rowUnits = 34;
     auto axes = std::make_shared<std::vector<std::uint32_t>>();

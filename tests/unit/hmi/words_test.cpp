@@ -57,7 +57,7 @@ public:
         EXPECT_GT(english_.size(), 500u);
         if (tongue != Tongue::Russian) { EXPECT_GT(own_.size(), 500u); }
         // Keys, makers, and what the builder of this machine calls its channels; names of processes.
-        names_.insert({"shift", "space", "enter", "polyturn", "english", "magyar", "fanuc", "root", "kernel", "toolmgmt", "plc", "upper", "lower", "utc", "etc"});
+        names_.insert({"shift", "space", "enter", "polyturn", "english", "magyar", "fanuc", "root", "kernel", "toolmgmt", "plc", "pid", "upper", "lower", "utc", "etc"});
     }
     // Russian: a text without any letter of its own, or a word of the English screens. Czech, Hungarian: such a word that is none of theirs.
     QStringList in(const QString& text) const {
