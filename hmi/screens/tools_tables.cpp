@@ -157,7 +157,7 @@ void Tools::fieldActivated() {
 }
 
 void Tools::fillLife() {
-    table_->columns = {{word("Called by"), 1.1}, {word("No."), 0.6, kRight}, {word("Tool"), 2}, {word("Life left"), 1.8}, {word("State"), 1.8}, {word("Parts left"), 1.25, kRight}, {word("Time left"), 1, kRight}};
+    table_->columns = {{word("Called by"), 1.1}, {word("No."), 0.6, kRight}, {word("Tool"), 1.9}, {word("Life left"), 1.8}, {word("State"), 1.8}, {word("Parts left"), 1.25, kRight}, {word("Time left"), 1.15, kRight}};
     table_->rowUnits = 38;
     table_->nothing = word("There are no tools yet: «New tool» on the page of tool data.");
     table_->rows = [this] { return static_cast<int>(life_.size()); };

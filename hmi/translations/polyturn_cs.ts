@@ -526,7 +526,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Automatic</source>
-        <translation>Automatický</translation>
+        <translation>Automatika</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -5256,7 +5256,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
-        <translation>zvolte automatický nebo MDI</translation>
+        <translation>zvolte automatiku nebo MDI</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -5366,7 +5366,7 @@
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>enter one, or choose auto</source>
-        <translation>zadejte jej, nebo zvolte automatický</translation>
+        <translation>zadejte jej, nebo zvolte automatiku</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>

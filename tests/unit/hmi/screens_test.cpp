@@ -63,7 +63,7 @@ TEST(Screens, NoWordIsLeftInEnglish) {
     window.show();
     window.setTongue(Tongue::Russian);
     static const QRegularExpression kLatin("[A-Za-z]{3,}"), kCyrillic("[\u0400-\u04FF]");
-    const QStringList kEverywhere{"Polyturn", "Shift", "Space", "Enter", "DHCP", "USB"};
+    const QStringList kEverywhere{"Polyturn", "Shift", "Space", "Enter", "DHCP", "USB", "PID"};
     std::size_t looked = 0;
     eachPage(window, ProgramPages::All, [&](const std::string& where, const std::vector<Sheet*>& sheets) {
         for (Sheet* sheet : sheets)
