@@ -137,7 +137,7 @@ TEST_F(DiagnosisTasks, TheScopeRecordsTheRunningMachineAtItsTicks) {
     ASSERT_TRUE(waitFor([&] { return !scope.exported().isEmpty(); }));
     QFile file(scope.exported());
     ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << scope.exported().toStdString();
-    EXPECT_EQ(file.readLine(), "t,A2 Z commanded\n");
+    EXPECT_EQ(file.readLine(), "t,A2 Z commanded [mm]\n");
     noWordIsShortened(*window);
 }
 
