@@ -199,6 +199,7 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
 // looking at the others. For a part of a text, the newest rows are looked at one by one.
 std::string Database::history_query(const HistoryOf& of) {
     std::string sql = "SELECT id, utc, who, what, old, new FROM history";
+    if (of.kind == HistoryOf::Kind::EnteredEdges) sql += " INDEXED BY history_edges";   // the planner would rather look for all that begins with "tool", and sort it
     switch (of.kind) {
         case HistoryOf::Kind::All: break;
         case HistoryOf::Kind::Value: sql += " WHERE what = ?1"; break;

@@ -287,7 +287,7 @@ void MainWindow::composeTop(Writer& w) {
         else if (does == ChannelState::Waiting) wait.push_back(channel);
         else if (works(live_.channel(channel))) stand.push_back(channel);
     }
-    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty()), runs = !(run.empty() && wait.empty());
+    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty()), runs = !run.empty() || (!wait.empty() && stand.empty());   // who waits for one that stands, stands
     const QColor colour = !live_.connected() ? t.bad : worked && !runs ? t.warn : colourOf(step);
     w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : runs ? Sign::Run : Sign::Hold, colour);
     const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : runs ? word("programs run") : word("programs stand");

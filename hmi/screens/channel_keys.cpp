@@ -14,7 +14,7 @@ double composeChannelKeys(Writer& w, const Desk& desk, const QSizeF& title) {
         const QRectF box(right - step + px(2), px(7), step - px(6), title.height() - px(12));
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
+        w.text(box, QString("L%1").arg(*channel), step < px(40) ? lettering(12.5, here, Face::Condensed) : lettering(16, here), t.text, Qt::AlignCenter);   // sixteen on an upright panel
         w.hit(box, static_cast<int>(*channel));
         right -= step;
     }

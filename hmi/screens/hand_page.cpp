@@ -236,7 +236,9 @@ QString HandPage::spindleBlock() const {
 void HandPage::doStep() {
     const TransferStep* step = chosenStep();
     if (!step || step->code < 0) return;
-    if (const auto chosen = desk_.live.nc(signals::cn_ssel(step->channel)); step->spindle && chosen != static_cast<std::int32_t>(step->spindle))
+    const auto named = static_cast<unsigned>(desk_.live.nc(signals::cn_ssel(step->channel)));
+    const unsigned chosen = named ? named : desk_.live.config().channel(step->channel).default_spindle;   // as the machine takes it before a program has named one
+    if (step->spindle && chosen != step->spindle)
         return desk_.tell(word("Plain S of L%1 means S%2 now: M%3 would act on its chuck.").arg(step->channel).arg(chosen).arg(step->code), Told::Refused);
     desk_.requests.press(QString("mdi L%1 M%2").arg(step->channel).arg(step->code));
 }

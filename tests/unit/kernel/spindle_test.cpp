@@ -124,6 +124,7 @@ TEST(Spindle, ThatHasBeenStoppedFeedsNothingEither) {
     rig.push(1, rig.line(1, {0, -2}, 10));
     rig.push(1, rig.aux(1, 'M', 5));
     rig.push(1, rig.line(1, {0, -4}, 2));
+    rig.push(1, rig.aux(1, 'M', 9));   // the path rests
     PathRecord cut = rig.line(1, {0, -10}, 0.2);
     cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
     rig.push(1, cut);
@@ -131,6 +132,7 @@ TEST(Spindle, ThatHasBeenStoppedFeedsNothingEither) {
     rig.run(20'000);
     EXPECT_TRUE(rig.alarmed(Alarm::SpindleStands, 1));
     EXPECT_EQ(rig.state(1), ChannelState::Interrupted);
+    EXPECT_EQ(rig.position(2), -6);
 }
 
 TEST(Spindle, ThatIsJustStartedIsWaitedForHoweverLongTheMachineWasOn) {
