@@ -98,8 +98,10 @@ void Diagnosis::composeHead(Writer& w) {
     w.text(QRectF(px(14), 0, title, head_->height()), page_ == Page::Scope && scope_->circle() ? word("Circularity") : word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     double right = head_->width() - px(8);
     if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) right = composeChannelKeys(w, desk_, head_->size());
-    if (page_ == Page::Signals || page_ == Page::Variables)
-        w.field(QRectF(title + px(24), px(6), right - title - px(38), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
+    if (page_ == Page::Signals || page_ == Page::Variables) {
+        const QRectF field(title + px(24), px(6), right - title - px(38), head_->height() - px(10));
+        w.field(field, search_, field.width() < px(240) ? word("Search") : word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
+    }
 }
 
 // What the scope waits for may come while another screen is looked at; and time goes on.

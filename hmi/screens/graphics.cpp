@@ -35,9 +35,10 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
         const double room = dry_ ? px(600) : px(240);
         const double step = std::min<double>(px(84), (head_->width() - room) / static_cast<double>(std::max<std::size_t>(1, count)));
         for (const unsigned channel : desk_.live.channels()) {
-            const double stroke = step < px(80) ? px(12) : px(26);
+            const bool dense = step < px(48);   // sixteen on an upright panel
+            const double stroke = dense ? px(6) : step < px(80) ? px(12) : px(26), gap = px(dense ? 3 : 5);
             w.fill(QRectF(x, head_->height() / 2.0 - px(3), stroke, px(6)), colourOf(channel), px(3));
-            w.text(QRectF(x + stroke + px(5), 0, step - stroke - px(8), head_->height()), QString("L%1").arg(channel), lettering(15, true), t.text);
+            w.text(QRectF(x + stroke + gap, 0, step - stroke - gap - px(dense ? 1 : 3), head_->height()), QString("L%1").arg(channel), dense ? lettering(12.5, true, Face::Condensed) : lettering(15, true), t.text);
             x += step;
         }
         const QRectF rest(x + px(8), 0, head_->width() - x - px(20), head_->height());
