@@ -10,6 +10,7 @@
 
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
@@ -280,13 +281,16 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
         }, true});
     };
     // One line: of whom, what is wanted, and beside a sign what is there.
+    // All values of an offset on one line: narrower letters before some of it is left out.
+    const auto fitting = [](const QString& words, double size, double room) { return wordsWidth(words, lettering(size)) <= room ? lettering(size) : lettering(size - 1.5, false, Face::Condensed); };
     const auto compared = [&](const QString& whose, const QString& what, const QString& wanted, Sign sign, const QColor& colour, const QString& found, bool plain) {
         out.push_back({px(26), [=, &w, &t](double y) {
             w.text(QRectF(px(16), y, px(50), px(24)), whose, lettering(15, true), t.text);
-            w.data(QRectF(px(66), y, wanted.isEmpty() ? middle - px(74) : wide * 0.3 - px(66), px(24)), what, lettering(15), t.text);
+            const double room = wanted.isEmpty() ? middle - px(74) : wide * 0.3 - px(66), rest = wide - middle - px(44);
+            w.data(QRectF(px(66), y, room, px(24)), what, fitting(what, 15, room), t.text);
             if (!wanted.isEmpty()) w.data(QRectF(wide * 0.3, y, wide * 0.23, px(24)), wanted, lettering(15), t.text, kRight);
             w.sign(QRectF(middle, y + px(3), px(18), px(18)), sign, colour);
-            w.data(QRectF(middle + px(28), y, wide - middle - px(44), px(24)), found, lettering(14.5), plain ? t.dim : t.text);
+            w.data(QRectF(middle + px(28), y, rest, px(24)), found, fitting(found, 14.5, rest), plain ? t.dim : t.text);
         }, false});
     };
     const auto judged = [&](bool same) { return std::pair(same ? Sign::Good : Sign::Warning, same ? t.good : t.warn); };
