@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <cmath>
 
+#include "hmi/machine/axis_places.hpp"
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
@@ -127,28 +128,23 @@ private:
         }
         y_ += head;
         for (std::size_t place = 0; place < count; ++place, y_ += row) {
-            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
-            const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
-            const LengthUnit unit = live_.unit(axis);
-            const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
-            w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(size, true), at.flags & kMoving ? t_.good : t_.text);
-            double workpiece = 0;
-            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
+            const AxisPlaces axis(live_, channel_, place);
+            w_.text(QRectF(left_, y_, name, row), axis.name(), lettering(size, true), axis.moves ? t_.good : t_.text);
             for (std::size_t c = 0; c < columns.size(); ++c) {
                 QString text = kDash;
                 QColor colour = c == 0 ? t_.text : t_.dim;
-                if (spins) colour = t_.faint;
+                if (axis.turns) colour = t_.faint;
                 else switch (columns[c]) {
                     case kWorkpiece:
-                        if (known) text = unit.text(shownPlace(axis, workpiece));
-                        else if (!referenced) text = whole ? kDash : word("no ref."), colour = t_.warn;
+                        text = axis.known() || axis.referenced || whole ? axis.workpiece() : axis.machineOrNone();
+                        if (!axis.known() && !axis.referenced) colour = t_.warn;
                         break;
                     case kMachine:
-                        text = referenced ? unit.text(shownPlace(axis, at.act)) : word("no ref.");
-                        if (!referenced) colour = t_.warn;
+                        text = axis.machineOrNone();
+                        if (!axis.referenced) colour = t_.warn;
                         break;
-                    case kToGo: text = view_.moves[place] ? unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))) : QString(); break;
-                    case kLag: text = unit.text(shown(axis, at.error)); break;
+                    case kToGo: text = axis.goes ? axis.toGo() : QString(); break;
+                    case kLag: text = axis.lag(); break;
                 }
                 w_.text(box(c, y_, row), text, lettering(c == 0 ? size : size - 1.5, c == 0, whole ? Face::Condensed : Face::Text), colour, kRight);
             }
@@ -287,28 +283,20 @@ private:
         for (int c = 0; c < 4; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
         y_ += head;
         for (std::size_t place = 0; place < count && y_ + row < size_.height(); ++place) {
-            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
-            const AxisStatus& now = live_.status().axes[config_.axes[place] - 1u];
-            const LengthUnit unit = live_.unit(axis);
-            const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
-            const bool moving = (now.flags & kMoving) != 0;
-            w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(dense_ ? 15 : 19, true), moving ? t_.good : t_.text);
-            if (moving && !narrow) w_.sign(QRectF(left_ + name, y_ + (row - px(11)) / 2, px(11), px(11)), Sign::Run, t_.good);
-            // Its drive belongs to the spindle just now: the axis is nowhere.
-            if (axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0) {
+            const AxisPlaces axis(live_, channel_, place);
+            w_.text(QRectF(left_, y_, name, row), axis.name(), lettering(dense_ ? 15 : 19, true), axis.moves ? t_.good : t_.text);
+            if (axis.moves && !narrow) w_.sign(QRectF(left_ + name, y_ + (row - px(11)) / 2, px(11), px(11)), Sign::Run, t_.good);
+            if (axis.turns) {
                 w_.text(QRectF(at[0], y_, wide[0], row), kDash, lettering(dense_ ? 16 : 20, true), t_.faint, kRight);
-                w_.text(QRectF(at[1], y_, at[3] + other - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
+                w_.text(QRectF(at[1], y_, at[3] + other - at[1], row), axis.spindle(), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
                 y_ += row;
                 continue;
             }
-            double workpiece = 0;
-            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
-            w_.text(QRectF(at[0], y_, wide[0], row), known ? unit.text(shownPlace(axis, workpiece)) : kDash, narrow ? lettering(16, true, Face::Condensed) : lettering(dense_ ? 16 : 24, true), t_.text, kRight);
+            w_.text(QRectF(at[0], y_, wide[0], row), axis.workpiece(), narrow ? lettering(16, true, Face::Condensed) : lettering(dense_ ? 16 : 24, true), t_.text, kRight);
             const QFont small = narrow ? lettering(13, false, Face::Condensed) : lettering(dense_ ? 13.5 : 16);
-            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? unit.text(shownPlace(axis, now.act)) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
-            w_.text(QRectF(at[2], y_, wide[2], row), unit.text(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place)))), small,
-                    view_.moves[place] ? t_.text : t_.faint, kRight);
-            w_.text(QRectF(at[3], y_, wide[3], row), unit.text(shown(axis, now.error)), small, t_.dim, kRight);
+            w_.text(QRectF(at[1], y_, wide[1], row), axis.machineOrNone(), small, axis.referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(at[2], y_, wide[2], row), axis.toGo(), small, axis.goes ? t_.text : t_.faint, kRight);
+            w_.text(QRectF(at[3], y_, wide[3], row), axis.lag(), small, t_.dim, kRight);
             y_ += row;
         }
         y_ += gap();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "hmi/machine/axis_places.hpp"
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
@@ -195,9 +196,10 @@ void Manual::composeAxes(Writer& w) {
     if (typing_ && row < px(80)) return composePlaces(w, QRectF(0, top, wide, high - top - px(6)));
     for (std::size_t place = 0; place < config.axis_count; ++place) {
         const unsigned number = config.axes[place];
-        const AxisConfig& axis = live.config().axis(number);
-        const AxisStatus& now = live.status().axes[number - 1];
-        const LengthUnit unit = live.unit(axis);
+        const AxisPlaces at(live, desk_.channel, place);
+        const AxisConfig& axis = at.axis;
+        const AxisStatus& now = at.now;
+        const LengthUnit& unit = at.unit;
         const QRectF box(0, top + static_cast<double>(place) * row, wide, row - px(8));
         w.fill(box, t.card, px(8));
         const bool here = number == chosenAxis();
@@ -214,21 +216,19 @@ void Manual::composeAxes(Writer& w) {
             w.hit(key, jogHit(number, positive));
         }
         const double left = box.left() + px(78) + keyWide + px(10), room = box.width() - px(78) - 2 * keyWide - px(30);
-        if (axis.on_spindle && live.nc(signals::sn_axis(axis.on_spindle)) == 0) {
-            w.text(QRectF(left, box.top(), room, box.height()), word("turns as spindle S%1").arg(axis.on_spindle), lettering(17), t.dim, kRight);
+        if (at.turns) {
+            w.text(QRectF(left, box.top(), room, box.height()), at.spindle(), lettering(17), t.dim, kRight);
             continue;
         }
-        double workpiece = 0;
-        const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
-        const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
+        const bool referenced = at.referenced;
         // In the order of the overview: what the workpiece counts is the large one.
         const double middle = left + room * 0.6, head = box.height() * 0.24, line = box.height() * 0.46;
         const double begin = referenced ? left : std::min(left + px(130), middle - px(20));
         const QColor colour = referenced ? t.text : t.warn;
         w.text(QRectF(begin, box.top() + px(2), middle - begin, head), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
         w.text(QRectF(middle + px(8), box.top() + px(2), left + room - middle - px(8), head), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
-        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? unit.text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : box.height() < px(80) ? 27 : 33, true), colour, kRight);
-        w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), unit.text(shownPlace(axis, now.act)), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
+        w.text(QRectF(begin, box.top() + head, middle - begin, line), at.workpiece(), lettering(room < px(330) ? 20 : box.height() < px(80) ? 27 : 33, true), colour, kRight);
+        w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), at.machine(), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
         if (!referenced) w.text(QRectF(left + px(152), box.top() + box.height() * 0.68, room - px(152) - (axis.diameter ? px(26) : 0), box.height() * 0.28), word("not referenced"), lettering(14), t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.68, px(20), box.height() * 0.28), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
         if (!referenced) {
@@ -270,22 +270,17 @@ void Manual::composePlaces(Writer& w, const QRectF& box) {
     const double row = std::min<double>(px(40), (box.height() - head - px(6)) / std::max<double>(config.axis_count, 1));
     double y = box.top() + head + px(2);
     for (std::size_t place = 0; place < config.axis_count; ++place, y += row) {
-        const AxisConfig& axis = live.config().axis(config.axes[place]);
-        const AxisStatus& now = live.status().axes[config.axes[place] - 1u];
-        const LengthUnit unit = live.unit(axis);
-        const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
+        const AxisPlaces axis(live, desk_.channel, place);
         const double size = row < px(24) ? 13 : row < px(32) ? 17 : 21;
-        w.text(QRectF(box.left() + px(14), y, name, row), fromView(axis.name_text()), lettering(size, true), now.flags & kMoving ? t.good : t.text);
-        if (axis.on_spindle && live.nc(signals::sn_axis(axis.on_spindle)) == 0) {
-            w.text(QRectF(cell(0, y, row).left(), y, column * 4, row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(std::min(size, 17.0)), t.dim, kRight);
+        w.text(QRectF(box.left() + px(14), y, name, row), axis.name(), lettering(size, true), axis.moves ? t.good : t.text);
+        if (axis.turns) {
+            w.text(QRectF(cell(0, y, row).left(), y, column * 4, row), axis.spindle(), lettering(std::min(size, 17.0)), t.dim, kRight);
             continue;
         }
-        double workpiece = 0;
-        const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
-        w.text(cell(0, y, row), known ? unit.text(shownPlace(axis, workpiece)) : QString::fromUtf8("–"), lettering(size, true), t.text, kRight);
-        w.text(cell(1, y, row), referenced ? unit.text(shownPlace(axis, now.act)) : word("no ref."), lettering(size * 0.8), referenced ? t.dim : t.warn, kRight);
-        w.text(cell(2, y, row), unit.text(shown(axis, live.toGo(desk_.channel, static_cast<unsigned>(place)))), lettering(size * 0.8), live.view(desk_.channel).moves[place] ? t.text : t.faint, kRight);
-        w.text(cell(3, y, row), unit.text(shown(axis, now.error)), lettering(size * 0.8), t.dim, kRight);
+        w.text(cell(0, y, row), axis.workpiece(), lettering(size, true), t.text, kRight);
+        w.text(cell(1, y, row), axis.machineOrNone(), lettering(size * 0.8), axis.referenced ? t.dim : t.warn, kRight);
+        w.text(cell(2, y, row), axis.toGo(), lettering(size * 0.8), axis.goes ? t.text : t.faint, kRight);
+        w.text(cell(3, y, row), axis.lag(), lettering(size * 0.8), t.dim, kRight);
     }
 }
 
