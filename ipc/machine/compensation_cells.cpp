@@ -31,36 +31,6 @@ std::string line_of(const GridKey& point, const GridPoint& value) {
     return "3D L" + std::to_string(point.first) + " " + std::to_string(point.second) + "=" + cell_text(value[0]) + " " + cell_text(value[1]) + " " + cell_text(value[2]) + "\n";
 }
 
-// The cell that a line of the file is about; 0: none.
-std::int64_t cell_of(std::string_view line) {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-    std::int64_t cell = 0;
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), cell);
-    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-    return error == std::errc{} && line.starts_with("=") ? cell : 0;
-}
-
-// The point that a line of the file is about; channel 0: none.
-GridKey grid_point_of(std::string_view line) {
-    const auto blanks = [&] { while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == ',')) line.remove_prefix(1); };
-    const auto take = [&](std::string_view word) {
-        blanks();
-        const bool there = line.starts_with(word);
-        if (there) line.remove_prefix(word.size());
-        return there;
-    };
-    const auto number = [&](auto& out) {
-        blanks();
-        if (line.starts_with('+')) line.remove_prefix(1);
-        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), out);
-        line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-        return error == std::errc{};
-    };
-    GridKey out;
-    return take("3D") && take("L") && number(out.first) && number(out.second) && take("=") ? out : GridKey{};
-}
-
 void use(std::map<std::int64_t, float>& values, std::int64_t first, std::int64_t last) {
     for (std::int64_t n = std::max(first, kFirstCell); n <= std::min(last, kLastCell); ++n) values.emplace(n, 0.0F);
 }
@@ -130,10 +100,11 @@ std::string with_cells(std::string_view content, const Table& parameters, std::s
         const std::size_t end = std::min(content.find('\n'), content.size());
         const std::string_view line = content.substr(0, end);
         content.remove_prefix(std::min(content.size(), end + 1));
-        if (const auto found = values.find(cell_of(line)); found != values.end()) {
+        const CompensationLine about = compensation_line(line);
+        if (const auto found = values.find(about.cell); found != values.end()) {
             out += line_of(found->first, found->second);
             values.erase(found);
-        } else if (const auto point = grid.find(grid_point_of(line)); point != grid.end()) {
+        } else if (const auto point = grid.find({about.channel, about.point}); point != grid.end()) {
             out += line_of(point->first, point->second);
             grid.erase(point);
         } else {

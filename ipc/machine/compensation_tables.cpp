@@ -111,6 +111,17 @@ std::string compensation_file_of(std::string_view params_file) {
     return std::filesystem::path(params_file).replace_extension(".compensation").string();
 }
 
+CompensationLine compensation_line(std::string_view text) {
+    Line line(text);
+    CompensationLine out;
+    if (line.take("3D")) {
+        if (!line.take("L") || !line.number(out.channel) || !line.number(out.point) || !line.take("=")) out = {};
+    } else if (!line.number(out.cell) || !line.take("=")) {
+        out = {};
+    }
+    return out;
+}
+
 CompensationTables parse_compensation(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses) {
     CompensationTables tables;
     tables.measured = true;

@@ -53,6 +53,13 @@ CompensationGrid compensation_grid(const params::Table& table, unsigned channel)
 // "…/machine.params" gives "…/machine.compensation".
 std::string compensation_file_of(std::string_view params_file);
 CompensationTables parse_compensation(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses);
+// What a line of the file is about: a cell, or a point of a channel's grid; both 0: neither. Its values are not looked at.
+struct CompensationLine {
+    std::int64_t cell = 0;
+    unsigned channel = 0;
+    std::int64_t point = 0;
+};
+CompensationLine compensation_line(std::string_view line);
 // No file: not measured, no diagnosis.
 CompensationTables load_compensation(const std::string& path, std::vector<Diagnosis>& diagnoses);
 // What the parameters use of a measured machine: gaps, and cyclic tables that would not close.

@@ -81,5 +81,21 @@ TEST(CompensationCells, LeaveNoGapsWhereTheyAreFilled) {
     EXPECT_EQ(faults[0].detail, "L1: point 6 of the grid has no value");
 }
 
+// However the file writes a line, what replaces it is the same line: a second one of its cell or point would make the file wrong.
+TEST(CompensationCells, ALineIsKnownHoweverItIsWritten) {
+    const auto table = machine();
+    const std::string file = "+10500 = 1 ; a cell\n,10501=2\n\t3D L 1, +2 = 1 2 3\n10502=3\r\n";
+    const CellEntry cells[] = {{10500, 5}, {10501, 6}, {10502, 7}};
+    const PointEntry points[] = {{1, 2, 1, 9}};
+    std::vector<Diagnosis> faults;
+    const CompensationTables now = parse_compensation(with_cells(file, *table, cells, points), "file", faults);
+    EXPECT_TRUE(faults.empty()) << (faults.empty() ? "" : faults[0].text());
+    EXPECT_EQ(now.cell(10500), 5);
+    EXPECT_EQ(now.cell(10501), 6);
+    EXPECT_EQ(now.cell(10502), 7);
+    ASSERT_EQ(now.points[0].size(), 3u);
+    EXPECT_EQ(now.points[0][2], (std::array<float, 3>{1, 9, 3}));
+}
+
 }  // namespace
 }  // namespace polyturn
