@@ -1,8 +1,6 @@
 #include "channels/process/kept_text.hpp"
 
-#include <fstream>
-#include <iterator>
-
+#include "ipc/text/regular_file.hpp"
 #include "ipc/text/replace_file.hpp"
 
 namespace polyturn::channels {
@@ -13,8 +11,9 @@ bool KeptText::put(std::string_view name, std::string_view text) const { return 
 
 std::string KeptText::get(std::string_view name) const {
     if (folder_.empty()) return {};
-    std::ifstream in(path_of(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    const auto file = text::RegularFile::open(path_of(name));
+    auto kept = file ? file->read_all() : Result<std::string>(std::string());
+    return kept ? std::move(*kept) : std::string();   // nothing has been kept, or it cannot be read: it begins empty
 }
 
 }  // namespace polyturn::channels

@@ -1,12 +1,12 @@
 #include "channels/text/line_source.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
+
+#include "ipc/text/regular_file.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -52,14 +52,9 @@ void LineSource::close() {
 Result<void> LineSource::open(const std::string& path) {
     close();
     name_ = path;
-    fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd_ < 0) return file_fault(Alarm::FileUnreadable, path, std::strerror(errno));
-    struct stat info{};
-    if (::fstat(fd_, &info) != 0 || S_ISDIR(info.st_mode)) {
-        const bool folder = S_ISDIR(info.st_mode);
-        close();
-        return file_fault(Alarm::FileUnreadable, path, folder ? "it is a folder" : std::strerror(errno));
-    }
+    auto file = text::RegularFile::open(path, text::kLargestProgram);
+    if (!file) return file.diagnosis();
+    fd_ = file->release();
     buffer_.resize(kWindow);
     data_ = buffer_.data();
     size_ = cursor_ = 0;

@@ -11,6 +11,8 @@
 #include <cstring>
 #include <optional>
 
+#include "hmi/machine/ordinary_file.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -44,8 +46,8 @@ void hangAtPieces(std::function<void()> one) { hang() = std::move(one); }
 
 FileText readText(const QString& path, qint64 most, FileProgress& progress, const std::atomic<bool>& stop) {
     FileText out;
-    QFile source(path);
-    if (!source.open(QIODevice::ReadOnly)) return out;
+    QFile source;
+    if (!openOrdinary(source, path)) return out;
     progress.all = source.size();
     QByteArray bytes;
     for (;;) {
@@ -66,8 +68,8 @@ FileText readText(const QString& path, qint64 most, FileProgress& progress, cons
 
 FileText readPart(const QString& path, qint64 most, qint64 part, qint64 at, FileProgress& progress, const std::atomic<bool>& stop) {
     FileText out;
-    QFile source(path);
-    if (!source.open(QIODevice::ReadOnly)) return out;
+    QFile source;
+    if (!openOrdinary(source, path)) return out;
     out.part.all = source.size();
     if (out.part.all <= most) return source.close(), readText(path, most, progress, stop);
     progress.all = std::min(at, out.part.all) + part;

@@ -19,6 +19,7 @@
 #include "ipc/diagnosis/os_errors.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/replace_file.hpp"
+#include "hmi/machine/ordinary_file.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -30,8 +31,8 @@ QByteArray path8(const QString& path) { return QFile::encodeName(path); }
 
 std::vector<std::pair<QString, int>> levelsIn(const QString& folder) {
     std::vector<std::pair<QString, int>> out;
-    QFile file(QDir(folder).filePath(kLevels));
-    if (!file.open(QIODevice::ReadOnly)) return out;
+    QFile file;
+    if (!openOrdinary(file, QDir(folder).filePath(kLevels))) return out;
     for (const QString& line : QString::fromUtf8(file.read(1 << 20)).split('\n'))
         if (const int space = static_cast<int>(line.indexOf(' ')); space > 0) out.emplace_back(line.mid(space + 1), line.left(space).toInt());
     return out;
@@ -65,7 +66,7 @@ FileOutcome transferFile(const QString& from, const QString& to, FileProgress& p
     const QFileInfo target(to);
     const QString part = target.absolutePath() + "/." + target.fileName() + QString(".part%1").arg(::getpid());
     const auto giveUp = [&](FileOutcome why) { return ::unlink(path8(part).constData()), why; };
-    const Handle in{::open(path8(from).constData(), O_RDONLY | O_CLOEXEC)};
+    const Handle in{openOrdinary(from)};
     if (in.fd < 0) return failedFile(from);
     struct stat about {};
     ::fstat(in.fd, &about);

@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "hmi/machine/ordinary_file.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -18,8 +20,8 @@ ProgramText::Text ProgramText::read(const std::string& path, bool readBefore, co
     Text out;
     out.changed = info.lastModified();
     if (readBefore && info.exists() && out.changed == changed) return out.same = true, out;
-    QFile source(info.filePath());
-    if (path.empty() || info.size() > kLargest || !source.open(QIODevice::ReadOnly)) return out;
+    QFile source;
+    if (path.empty() || info.size() > kLargest || !openOrdinary(source, info.filePath())) return out;
     out.lines = QString::fromUtf8(source.readAll()).split('\n');
     for (QString& one : out.lines)
         if (one.endsWith('\r')) one.chop(1);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <dtl/dtl.hpp>
 
+#include "hmi/machine/ordinary_file.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -14,8 +16,8 @@ constexpr std::int64_t kMostComparisons = 20'000'000;   // of lines, a second or
 constexpr qint64 kMostBytes = 64 << 20;
 
 bool readLines(const QString& name, QStringList& out) {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) return false;
+    QFile file;
+    if (!openOrdinary(file, name) || file.size() > kMostBytes) return false;
     out = QString::fromUtf8(file.readAll()).split('\n');
     for (QString& line : out)
         while (!line.isEmpty() && line.back().isSpace()) line.chop(1);

@@ -12,6 +12,7 @@
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/upright.hpp"
+#include "hmi/machine/ordinary_file.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -167,9 +168,9 @@ FilesPage::Preview FilesPage::readPreview(const QString& path, bool job, Tongue 
         out.sheet = std::move(sheet);
         return out;
     }
-    QFile file(path);
-    out.readable = file.open(QIODevice::ReadOnly);
-    const QByteArray bytes = file.read(kPreviewBytes);
+    QFile file;
+    out.readable = openOrdinary(file, path);
+    const QByteArray bytes = out.readable ? file.read(kPreviewBytes) : QByteArray();
     out.readable &= !bytes.contains('\0');
     if (out.readable) out.lines = QString::fromUtf8(bytes).split('\n');
     return out;

@@ -211,7 +211,7 @@ Room parse_room(std::string_view content, std::string_view filename, const Machi
 
 Room load_room(const std::string& path, const MachineConfig& machine, std::vector<Diagnosis>& diagnoses) {
     if (path.empty()) return default_room(machine);
-    const Result<std::string> content = text::read_text_file(path);
+    const Result<std::string> content = text::read_text_file(path, text::kLargestToml);
     if (content) return parse_room(*content, path, machine, diagnoses);
     diagnoses.push_back(content.diagnosis());
     return default_room(machine);

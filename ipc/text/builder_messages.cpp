@@ -1,8 +1,9 @@
 #include "ipc/text/builder_messages.hpp"
 
 #include <charconv>
-#include <fstream>
-#include <sstream>
+#include <filesystem>
+
+#include "ipc/text/read_file.hpp"
 
 namespace polyturn::text {
 namespace {
@@ -44,11 +45,10 @@ bool cells_of(std::string_view line, std::vector<std::string>& cells) {
 BuilderMessages::BuilderMessages() { (void)add(kBuiltIn, "built-in PLC"); }
 
 std::vector<Diagnosis> BuilderMessages::add_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {};
-    std::ostringstream content;
-    content << file.rdbuf();
-    return add(content.str(), path);
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return {};
+    const auto content = read_text_file(path);
+    return content ? add(*content, path) : std::vector<Diagnosis>{content.diagnosis()};
 }
 
 std::vector<Diagnosis> BuilderMessages::add(std::string_view content, const std::string& name) {

@@ -166,7 +166,7 @@ Job parse_job(std::string_view content, std::string_view filename, std::vector<D
 }
 
 Result<Job> load_job(const std::string& path) {
-    const auto content = read_text_file(path);
+    const auto content = read_text_file(path, kLargestToml);
     if (!content) return content.diagnosis();
     std::vector<Diagnosis> diagnoses;
     Job job = parse_job(*content, path, diagnoses);

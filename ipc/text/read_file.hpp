@@ -3,11 +3,12 @@
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/text/regular_file.hpp"
 
 namespace polyturn::text {
 
-// Refuses what cannot be read, UTF-16, binary and files over 64 MB (nobody writes such a setup by hand).
-Result<std::string> read_text_file(const std::string& path);
+// Refuses what is no ordinary file, cannot be read, is UTF-16, binary or larger than `largest` bytes.
+Result<std::string> read_text_file(const std::string& path, std::uint64_t largest = kLargestText);
 
 // Line `line` (from 1) of the text without its end, or nothing: what a diagnosis shows above its mark.
 std::string_view line_of(std::string_view text, std::uint32_t line);

@@ -156,7 +156,7 @@ Scenario parse_scenario(std::string_view content, std::string_view filename, std
 }
 
 Result<Scenario> load_scenario(const std::string& path) {
-    const auto content = read_text_file(path);
+    const auto content = read_text_file(path, kLargestToml);
     if (!content) return content.diagnosis();
     std::vector<Diagnosis> diagnoses;
     Scenario scenario = parse_scenario(*content, path, diagnoses);

@@ -288,7 +288,7 @@ Setup parse_setup(std::string_view content, std::string_view filename, std::vect
 }
 
 Result<Setup> load_setup(const std::string& path) {
-    const auto content = read_text_file(path);
+    const auto content = read_text_file(path, kLargestToml);
     if (!content) return content.diagnosis();
     std::vector<Diagnosis> diagnoses;
     Setup setup = parse_setup(*content, path, diagnoses);

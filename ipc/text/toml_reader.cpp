@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipc/text/toml_limits.hpp"
+
 namespace polyturn::text {
 
 namespace {
@@ -34,6 +36,10 @@ std::uint32_t length_of(const toml::node& node) {
 }  // namespace
 
 std::optional<toml::table> TomlReader::parse(std::string_view content) {
+    if (const auto beyond = beyond_toml_limits(content)) {
+        diagnoses_->push_back({Alarm::TextTooDeep, Place{std::string(filename_), beyond->line, beyond->column, 1}, {}, beyond->what});
+        return std::nullopt;
+    }
     try {
         return toml::parse(content, filename_);
     } catch (const toml::parse_error& error) {

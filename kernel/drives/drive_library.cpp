@@ -1,11 +1,16 @@
 // Drives from outside that are called in this process: the machine builder's drive.so, and what stands for one that is not there.
 #include <dlfcn.h>
 
+#include "ipc/text/regular_file.hpp"
 #include "kernel/drives/segment_drives.hpp"
 
 namespace polyturn::kernel {
 
 const PolyturnDriveApi* load_drive_library(const std::string& file, std::string& reason) {
+    if (auto ordinary = text::RegularFile::open(file, text::kLargestLibrary); !ordinary) {   // dlopen() would wait for the writer of a pipe
+        reason = file + ": " + ordinary.diagnosis().detail;
+        return nullptr;
+    }
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) {
         const char* why = dlerror();

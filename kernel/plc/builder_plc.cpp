@@ -9,6 +9,7 @@
 
 #include "ipc/image/segments.hpp"
 #include "ipc/params/registry.hpp"
+#include "ipc/text/regular_file.hpp"
 
 namespace polyturn::plc {
 
@@ -72,6 +73,8 @@ Diagnosis fault(Alarm alarm, const std::string& library, std::string why) {
 void BuilderPlc::Free::operator()(void* memory) const noexcept { std::free(memory); }
 
 Result<BuilderPlc> BuilderPlc::load(const std::string& library) {
+    // dlopen() would wait for the writer of a pipe. It opens by name once more: the folder is the machine builder's own.
+    if (auto file = text::RegularFile::open(library, text::kLargestLibrary); !file) return fault(Alarm::PlcLoad, library, file.diagnosis().detail);
     void* object = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!object) return fault(Alarm::PlcLoad, library, dlerror());
     const auto describe = reinterpret_cast<PolyturnPlcFunction>(dlsym(object, POLYTURN_PLC_SYMBOL));

@@ -472,12 +472,31 @@ Result<Commands> parse_press(std::string_view words, const MachineConfig& machin
     return Press(*word, words.substr(name.size()), machine, folder).parse();
 }
 
-std::optional<text::Job> selected_job(std::string_view words, const std::string& folder) {
+namespace {
+// What stands behind the name of the word, if the words are of that name.
+std::optional<std::string_view> argument_of(std::string_view words, std::string_view wanted) {
     words = trimmed(words);
-    if (words.substr(0, 7) != "select ") return std::nullopt;
-    const std::string_view file = trimmed(words.substr(7));
-    if (!text::is_job_file(file)) return std::nullopt;
-    auto job = text::load_job((std::filesystem::path(folder) / std::string(file)).string());
+    const std::string_view name = words.substr(0, words.find_first_of(" \t"));
+    return name == wanted ? std::optional(trimmed(words.substr(name.size()))) : std::nullopt;
+}
+}  // namespace
+
+std::string selected_file(std::string_view words, const std::string& folder) {
+    const auto selects = argument_of(words, "select");
+    if (!selects) return {};
+    std::string_view file = *selects;
+    if (!text::is_job_file(file)) {
+        const auto equals = file.find('=');
+        if (equals == std::string_view::npos) return {};
+        file = trimmed(file.substr(equals + 1));
+    }
+    return (std::filesystem::path(folder) / std::string(file)).string();
+}
+
+std::optional<text::Job> selected_job(std::string_view words, const std::string& folder) {
+    const auto file = argument_of(words, "select");
+    if (!file || !text::is_job_file(*file)) return std::nullopt;
+    auto job = text::load_job((std::filesystem::path(folder) / std::string(*file)).string());
     return job ? std::optional(std::move(*job)) : std::nullopt;
 }
 

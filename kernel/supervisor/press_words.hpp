@@ -15,6 +15,8 @@ namespace polyturn::supervisor {
 
 // "feed_hold L2", "mode L1=mdi", "jog A3+ 0.5s" ... Programs are named relative to `folder`.
 Result<std::vector<Command>> parse_press(std::string_view words, const MachineConfig& machine, const std::string& folder = {});
+// The file that `select` names, job or program; empty: the words are of something else.
+std::string selected_file(std::string_view words, const std::string& folder);
 // The job that `select JOB` names; nothing for everything else, and for a job that cannot be read.
 std::optional<text::Job> selected_job(std::string_view words, const std::string& folder = {});
 // What else selecting it enters: parameter lines with the parts that it wants (N2308 of its channels).

@@ -24,6 +24,7 @@
 #include "kernel/supervisor/job_plan.hpp"
 
 #include "kernel/supervisor/phrases.hpp"
+#include "kernel/supervisor/reach.hpp"
 #include "kernel/supervisor/refusal.hpp"
 #include "kernel/supervisor/teach_thread.hpp"
 #include "kernel/supervisor/press_words.hpp"
@@ -321,6 +322,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         return lines ? serve_parameters(client, *lines, false, who) : server_.answer(client, refusal(lines.diagnosis()));
     }
     if (what == "press") {
+        if (const auto reached = in_reach(text_at("words"), text_at("folder"), who.level); !reached) return server_.answer(client, refusal(reached.diagnosis()));
         const auto commands = parse_press(text_at("words"), machine_, text_at("folder"));
         // Refused before anything of it is kept: the parts wanted and the language would be those of the program that runs. A reset that was
         // pressed just before has some ticks to be seen.
@@ -368,6 +370,21 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         return server_.answer(client, "{\"ok\":true}");
     }
     server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, what}));
+}
+
+// Of `select`: the file that is named, and those that a job names. Asked before anything of them is read.
+Result<void> StartSession::in_reach(std::string_view words, const std::string& folder, UserLevel level) const {
+    const std::string named = selected_file(words, folder);
+    if (named.empty()) return {};
+    auto now = std::make_unique<params::Table>();   // PT_PROGRAM_FOLDERS may have changed since the start
+    const bool known = controller_->store().parameters.read(*now);
+    const Reach reach = reach_of(known ? *now : *loaded_.table, std::filesystem::path(loaded_.params_file).parent_path().string());
+    if (auto good = reach.may_read(named, level); !good || !text::is_job_file(named)) return good;
+    const auto job = text::load_job(named);
+    if (!job) return {};   // told where it is carried out
+    for (const auto& [channel, program] : job->programs)
+        if (auto good = reach.may_read(program.file, level); !good) return good;
+    return job->setup.empty() ? Result<void>() : reach.may_read(job->setup, level);
 }
 
 // What a job has otherwise than this controller, which goes on with its own.

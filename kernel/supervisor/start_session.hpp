@@ -41,6 +41,7 @@ private:
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
     bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::function<std::vector<std::string>()>& notes = {});   // false: refused
+    Result<void> in_reach(std::string_view words, const std::string& folder, UserLevel level) const;
     std::vector<std::string> differences(const text::Job& job) const;
     void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
     void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);

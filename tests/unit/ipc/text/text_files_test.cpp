@@ -223,7 +223,7 @@ TEST(Job, WhatIsNotUnderstoodIsNamed) {
 
 TEST(ReadFile, RefusesWhatIsNoText) {
     EXPECT_EQ(read_text_file("/nowhere/at/all").diagnosis().alarm, Alarm::FileUnreadable);
-    EXPECT_EQ(read_text_file("/tmp").diagnosis().alarm, Alarm::FileUnreadable);
+    EXPECT_EQ(read_text_file("/tmp").diagnosis().alarm, Alarm::FileKind);
     EXPECT_EQ(read_text_file("/proc/self/exe").diagnosis().alarm, Alarm::FileBinary);
     EXPECT_EQ(line_of("a\r\nb\n\nd", 1), "a");
     EXPECT_EQ(line_of("a\r\nb\n\nd", 4), "d");
