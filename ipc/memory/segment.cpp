@@ -1,6 +1,9 @@
 #include "ipc/memory/segment.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <boost/interprocess/mapped_region.hpp>
@@ -15,6 +18,7 @@
 #include <sstream>
 #include <thread>
 
+#include "ipc/memory/trusted_owner.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn {
@@ -56,8 +60,49 @@ std::string segment_name(std::string_view instance, SegmentKind kind, std::size_
     return name;
 }
 
+namespace {
+
+bool believed(const struct stat& info) { return S_ISREG(info.st_mode) && trusted_owner(info.st_uid); }
+
+// What a name of /dev/shm leads to, opened without waiting and looked at: an ordinary file of somebody who is believed. A pipe of
+// that name would hold its reader for ever, a stranger's file would say whatever he likes. boost::interprocess maps it.
+class SharedFile {
+public:
+    SharedFile() = default;
+    SharedFile(const SharedFile&) = delete;
+    SharedFile& operator=(const SharedFile&) = delete;
+    ~SharedFile() { if (fd_ >= 0) ::close(fd_); }
+
+    Result<void> open(const std::string& name, bip::mode_t mode) {
+        mode_ = mode;
+        struct stat info{};
+        if (::lstat((kFolder / name).c_str(), &info) == 0 && !believed(info)) return Diagnosis{Alarm::InstanceForeign, {}, {}, name};   // not even opened
+        fd_ = ::open((kFolder / name).c_str(), (mode == bip::read_write ? O_RDWR : O_RDONLY) | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY);
+        const bool there = fd_ >= 0 && ::fstat(fd_, &info) == 0;
+        if (there && believed(info)) return size_ = static_cast<std::size_t>(info.st_size), Result<void>();
+        const bool foreign = there || errno == EACCES || errno == ELOOP || errno == ENXIO;
+        return Diagnosis{foreign ? Alarm::InstanceForeign : Alarm::SegmentMissing, {}, {}, name};
+    }
+    // A new one; O_EXCL: whatever bears the name already is not ours.
+    Result<void> create(const std::string& name, std::size_t size) {
+        mode_ = bip::read_write;
+        fd_ = ::open((kFolder / name).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, private_mode());
+        if (fd_ >= 0 && ::fchmod(fd_, private_mode()) == 0 && ::ftruncate(fd_, static_cast<off_t>(size)) == 0) return size_ = size, Result<void>();
+        return errno == EEXIST ? Diagnosis{Alarm::InstanceForeign, {}, {}, name} : Diagnosis{Alarm::SegmentCreate, {}, {}, name + ": " + std::strerror(errno)};
+    }
+    std::size_t size() const { return size_; }
+    bip::mapping_handle_t get_mapping_handle() const { return bip::ipcdetail::mapping_handle_from_file_handle(fd_); }
+    bip::mode_t get_mode() const { return mode_; }
+
+private:
+    int fd_ = -1;
+    std::size_t size_ = 0;
+    bip::mode_t mode_ = bip::read_only;
+};
+
+}  // namespace
+
 struct RawSegment::Parts {
-    bip::shared_memory_object object;
     bip::mapped_region region;
     std::string own_name, hidden_name;  // of a segment that was made here
 };
@@ -71,66 +116,49 @@ void* RawSegment::address() const { return parts_ ? parts_->region.get_address()
 Result<RawSegment> RawSegment::create(const std::string& name, std::size_t size) {
     // A predecessor's segment stays mapped by whoever still reads it; the name is taken over by a fresh one.
     bip::shared_memory_object::remove(name.c_str());
+    RawSegment out;
+    out.parts_ = std::make_unique<Parts>();
+    out.parts_->own_name = name;
+    out.parts_->hidden_name = name + std::string(kMaker) + std::to_string(getpid());
+    bip::shared_memory_object::remove(out.parts_->hidden_name.c_str());
+    SharedFile file;
+    if (const auto made = file.create(out.parts_->hidden_name, size); !made) return made.diagnosis();
     try {
-        RawSegment out;
-        out.parts_ = std::make_unique<Parts>();
-        out.parts_->own_name = name;
-        out.parts_->hidden_name = name + std::string(kMaker) + std::to_string(getpid());
-        bip::shared_memory_object::remove(out.parts_->hidden_name.c_str());
-        bip::permissions rights(0660);
-        out.parts_->object = bip::shared_memory_object(bip::create_only, out.parts_->hidden_name.c_str(), bip::read_write, rights);
-        out.parts_->object.truncate(static_cast<bip::offset_t>(size));
-        out.parts_->region = bip::mapped_region(out.parts_->object, bip::read_write, 0, size);
-        return out;
+        out.parts_->region = bip::mapped_region(file, bip::read_write, 0, size);
     } catch (const bip::interprocess_exception& error) {
         return fault(Alarm::SegmentCreate, name + ": " + error.what());
     }
+    return out;
 }
 
 Result<void> RawSegment::reveal() {
     std::error_code failed;
     std::filesystem::rename(kFolder / parts_->hidden_name, kFolder / parts_->own_name, failed);
-    if (failed) return fault(Alarm::SegmentCreate, parts_->own_name + ": " + failed.message());
-    return {};
+    if (!failed) return {};
+    std::error_code none;
+    std::filesystem::remove(kFolder / parts_->hidden_name, none);
+    const bool foreign = failed == std::errc::operation_not_permitted || failed == std::errc::permission_denied || failed == std::errc::is_a_directory;
+    return foreign ? fault(Alarm::InstanceForeign, parts_->own_name) : fault(Alarm::SegmentCreate, parts_->own_name + ": " + failed.message());
 }
 
-namespace {
-Result<bip::mapped_region> map_existing(bip::shared_memory_object& object, const std::string& name, std::size_t size, bip::mode_t mode) {
-    object = bip::shared_memory_object(bip::open_only, name.c_str(), mode);
-    bip::offset_t have = 0;
-    if (!object.get_size(have) || static_cast<std::size_t>(have) < size) {
-        // Size 0: its writer has not come to truncate() yet. Any other size was made by another build.
-        return fault(have == 0 ? Alarm::SegmentNotReady : Alarm::SegmentLayout, name);
-    }
-    return bip::mapped_region(object, mode, 0, size);
-}
-}  // namespace
-
-Result<RawSegment> RawSegment::attach(const std::string& name, std::size_t size) {
+Result<RawSegment> RawSegment::map(const std::string& name, std::size_t size, bool writable) {
+    const bip::mode_t mode = writable ? bip::read_write : bip::read_only;
+    SharedFile file;
+    if (const auto opened = file.open(name, mode); !opened) return opened.diagnosis();
+    // Size 0: its writer has not given it one yet. Any other size was made by another build.
+    if (file.size() < size) return fault(file.size() == 0 ? Alarm::SegmentNotReady : Alarm::SegmentLayout, name);
     try {
         RawSegment out;
         out.parts_ = std::make_unique<Parts>();
-        auto region = map_existing(out.parts_->object, name, size, bip::read_only);
-        if (!region) return region.diagnosis();
-        out.parts_->region = std::move(*region);
+        out.parts_->region = bip::mapped_region(file, mode, 0, size);
         return out;
     } catch (const bip::interprocess_exception&) {
         return fault(Alarm::SegmentMissing, name);
     }
 }
 
-Result<RawSegment> RawSegment::adopt(const std::string& name, std::size_t size) {
-    try {
-        RawSegment out;
-        out.parts_ = std::make_unique<Parts>();
-        auto region = map_existing(out.parts_->object, name, size, bip::read_write);
-        if (!region) return region.diagnosis();
-        out.parts_->region = std::move(*region);
-        return out;
-    } catch (const bip::interprocess_exception&) {
-        return fault(Alarm::SegmentMissing, name);
-    }
-}
+Result<RawSegment> RawSegment::attach(const std::string& name, std::size_t size) { return map(name, size, false); }
+Result<RawSegment> RawSegment::adopt(const std::string& name, std::size_t size) { return map(name, size, true); }
 
 void fill_header(SegmentHeader& header, std::string_view instance, std::uint64_t generation) {
     header.magic = kMagic;
@@ -190,7 +218,8 @@ std::map<std::string, Found> instances_in_memory() {
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(kFolder, none)) {
         const std::string name = entry.path().filename().string();
-        if (name.rfind(kPrefix, 0) != 0) continue;
+        struct stat info{};   // of the name itself: nothing of a stranger is opened, nor followed
+        if (name.rfind(kPrefix, 0) != 0 || ::lstat(entry.path().c_str(), &info) != 0 || !believed(info)) continue;
         const std::size_t dot = name.find('.', kPrefix.size());
         if (dot == std::string::npos) continue;
         Found& instance = found[name.substr(kPrefix.size(), dot - kPrefix.size())];

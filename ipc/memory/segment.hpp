@@ -1,6 +1,6 @@
 // One mapped shared-memory segment of an instance. Created and mapped writable by its writer, attached read-only by all
 // others. Boost.Interprocess is used for the object and its mapping only: nothing named inside, no lock that could be
-// left held. Attaching refuses, with the reason, what another build or another instance has made.
+// left held. Attaching refuses, with the reason, what another build, another instance or a stranger has made (trusted_owner.hpp).
 #pragma once
 #include <chrono>
 #include <memory>
@@ -33,6 +33,7 @@ public:
     void* address() const;
 
 private:
+    static Result<RawSegment> map(const std::string& name, std::size_t size, bool writable);
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

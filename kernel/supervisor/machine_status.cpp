@@ -120,7 +120,8 @@ std::vector<std::string> running_instances() {
             name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0)
             continue;
         const std::string instance = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
-        const auto segment = PeerSegment<SupervisorSegment>::attach(instance);
+        if (!valid_instance(instance)) continue;
+        const auto segment = PeerSegment<SupervisorSegment>::attach(instance);   // opens nothing of a stranger
         if (segment && process_lives((*segment)->header.writer_pid)) out.push_back(instance);
     }
     std::sort(out.begin(), out.end());

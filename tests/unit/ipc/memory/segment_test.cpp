@@ -2,7 +2,9 @@
 #include "ipc/memory/segment.hpp"
 
 #include <gtest/gtest.h>
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,6 +84,72 @@ TEST(Segment, OfADeadWriterIsCleanedAndThatOfALivingOneIsNot) {
 TEST(Instance, NamesAreLettersDigitsDashAndUnderscore) {
     for (const char* good : {"a", "line-3_left", "0"}) EXPECT_TRUE(valid_instance(good)) << good;
     for (const char* bad : {"", "a.b", "a/b", "a b", "ü", "12345678901234567890123456789012345678901"}) EXPECT_FALSE(valid_instance(bad)) << bad;
+}
+
+constexpr uid_t kStranger = 65534;   // nobody: neither root nor a user of the controller
+
+// What `act` answers as the stranger; -1: it did not come back in ten seconds.
+template <class Act>
+int as_stranger(Act act) {
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(10);
+        _exit(setgid(kStranger) == 0 && setuid(kStranger) == 0 ? act() : 99);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string shared(const std::string& name) { return "/dev/shm/" + name; }
+
+// Seen before: the start, every run and `clean` waited for a writer of the pipe, for ever.
+TEST(ForeignSegments, APipeUnderOurNameHoldsNobody) {
+    const std::string instance = fresh_instance() + "-pipe", name = segment_name(instance, SegmentKind::Plc);
+    ASSERT_EQ(::mkfifo(shared(name).c_str(), 0666), 0);
+    alarm(60);
+    EXPECT_EQ(PeerSegment<PlcSegment>::attach(instance).diagnosis().alarm, Alarm::InstanceForeign);
+    EXPECT_EQ(OwnSegment<PlcSegment>::adopt(instance).diagnosis().alarm, Alarm::InstanceForeign);
+    for (const std::string& removed : remove_dead_instances()) EXPECT_NE(removed, name) << "it is none of ours";
+    auto own = OwnSegment<PlcSegment>::create(instance, 1);   // the pipe is our own: its name is taken over
+    EXPECT_TRUE(own.ok());
+    alarm(0);
+    remove_instance(instance);
+}
+
+TEST(ForeignSegments, AreNeitherReadNorTakenForOurs) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root can play another user";
+    const std::string instance = fresh_instance() + "-foreign", name = segment_name(instance, SegmentKind::Plc);
+    ASSERT_EQ(as_stranger([&] {
+                  auto own = OwnSegment<PlcSegment>::create(instance, 1);
+                  if (own) own->publish();
+                  return own.ok() ? 0 : 1;
+              }), 0);
+    EXPECT_EQ(PeerSegment<PlcSegment>::attach(instance).diagnosis().alarm, Alarm::InstanceForeign);
+    for (const std::string& removed : remove_dead_instances()) EXPECT_NE(removed, name);
+    ::unlink(shared(name).c_str());
+    // A link to a file of ours is not ours.
+    ASSERT_EQ(as_stranger([&] { return ::symlink("/dev/shm/polyturn.somewhere.plc", shared(name).c_str()); }), 0);
+    EXPECT_EQ(PeerSegment<PlcSegment>::attach(instance).diagnosis().alarm, Alarm::InstanceForeign);
+    ::unlink(shared(name).c_str());
+}
+
+TEST(ForeignSegments, WhoseNameIsTakenIsToldByWhom) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root can play another user";
+    const std::string instance = fresh_instance() + "-taken";
+    auto own = OwnSegment<PlcSegment>::create(instance, 1);
+    ASSERT_TRUE(own.ok());
+    own->publish();
+    struct stat info{};
+    ASSERT_EQ(::stat(shared(segment_name(instance, SegmentKind::Plc)).c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777, 0600u) << "nobody else reads it";
+    EXPECT_EQ(as_stranger([&] { return ::open(shared(segment_name(instance, SegmentKind::Plc)).c_str(), O_RDONLY) < 0 ? 7 : 0; }), 7);
+    EXPECT_EQ(as_stranger([&] {
+                  const auto taken = OwnSegment<PlcSegment>::create(instance, 1);
+                  return !taken && taken.diagnosis().alarm == Alarm::InstanceForeign ? 7 : 0;
+              }), 7);
+    EXPECT_TRUE(PeerSegment<PlcSegment>::attach(instance).ok()) << "it is as it was";
+    remove_instance(instance);
 }
 
 }  // namespace
