@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -179,9 +180,15 @@ private:
     unsigned common_;
 };
 
-bool ask_to_go_on() {
+// "go SPINDLES": the others have had their turn; what is known of their spindles.
+bool ask_to_go_on(CheckPort& port) {
     char line[64];
-    return std::fgets(line, sizeof line, stdin) != nullptr;
+    if (!std::fgets(line, sizeof line, stdin)) return false;
+    const std::string_view text(line);
+    std::uint32_t spindles = 0;
+    if (text.starts_with("go ")) std::from_chars(text.data() + 3, text.data() + text.size(), spindles);
+    port.others_turn(spindles);
+    return true;
 }
 
 }  // namespace
@@ -241,7 +248,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     sink.core = &interpreter->core();
     preset(*interpreter, own);
 
-    if (shared.cells() && !ask_to_go_on()) return 0;   // the programs take turns
+    if (shared.cells() && !ask_to_go_on(port)) return 0;   // the programs take turns
     sink.take_common();
 
     // A loop of the program that causes nothing would keep the check for ever.
@@ -266,7 +273,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
         if (sink.waiting) {
             sink.waiting = false;
             printer.flush();
-            if (!ask_to_go_on()) break;   // nobody is there who could release it
+            if (!ask_to_go_on(port)) break;   // nobody is there who could release it
             sink.take_common();
         }
         if (step == Step::AtBarrier) interpreter->barrier_done();

@@ -28,13 +28,19 @@ public:
     StrokeFlags stroke_flags(unsigned) override { return {}; }
     double* shared_variables() override { return shared_; }
     void share(double* cells) { shared_ = cells; }
-    Turning started_by_others(unsigned) override { return alone_ ? Turning::No : Turning::Unknown; }
+    Turning started_by_others(unsigned spindle) override {
+        if (alone_) return Turning::No;
+        return spindle >= 1 && spindle <= kMaxSpindles && (turning_ >> (spindle - 1) & 1u) ? Turning::Watched : Turning::Unknown;
+    }
+    // The spindles that other channels have started for certain, as of the last wait; bit 0 is spindle 1.
+    void others_turn(std::uint32_t spindles) { turning_ = spindles; }
 
 private:
     const text::Setup* setup_;
     const text::ChannelSetup* own_;
     bool alone_;
     double* shared_ = nullptr;
+    std::uint32_t turning_ = 0;
     std::array<std::optional<double>, kMaxAxes> skipped_{};
 };
 

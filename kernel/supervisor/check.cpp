@@ -17,6 +17,7 @@
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/output.hpp"
 #include "kernel/supervisor/scenario_player.hpp"
+#include "kernel/supervisor/spindles_known.hpp"
 #include "kernel/supervisor/wait_match.hpp"
 
 namespace polyturn::supervisor {
@@ -59,15 +60,19 @@ struct Interpreter {
         return true;
     }
     // With variables or offsets in common the order counts: it goes on when it is read next, the others stand meanwhile.
-    void go() {
+    // `turning`: the spindles that others have started for certain, bit 0 is S1.
+    void go(std::uint32_t turning) {
+        release = fmt::format("go {}\n", turning);
         if (in_turn) due = true;
         else send();
     }
     void send() const {
-        if (write(child.input_fd(), "go\n", 3) < 0) {}  // it has ended: the next read says so
+        if (write(child.input_fd(), release.data(), release.size()) < 0) {}  // it has ended: the next read says so
     }
 
     bool in_turn = false, due = false;
+    std::string release = "go 0\n";
+    WaitPoint stands_at;   // where it came to last
     std::size_t start = 0, scanned = 0;  // buffer: the next line begins at start; no end of line in [start, scanned)
 };
 
@@ -175,10 +180,10 @@ private:
                             interpreter.ended = interpreter.killed = true;
                             matcher_.end(channel, true);
                         } else {
-                            interpreter.go();
+                            let_go(interpreter);
                         }
                     } else if (!interpreter.ended && interpreters_.size() == 1) {
-                        interpreter.go();
+                        let_go(interpreter);
                         matcher_ = {};  // one program alone: nobody to match with
                     }
                 }
@@ -186,14 +191,35 @@ private:
             if (interpreters_.size() == 1) continue;
             if (behind) break;
             const auto released = matcher_.meet();
-            for (const unsigned channel : released) interpreters_[channel].go();
+            for (const unsigned channel : released) learn_at_meeting(channel, released);
+            for (const unsigned channel : released) let_go(interpreters_[channel]);
             again = again || !released.empty();
             if (!again) {
                 for (auto& [channel, interpreter] : interpreters_)
-                    if (!interpreter.ended) behind = true, interpreter.go();
+                    if (!interpreter.ended) behind = true, let_go(interpreter);
                 again = behind;
             }
         }
+    }
+
+    void let_go(Interpreter& interpreter) { interpreter.go(spindles_.turning(interpreter.channel)); }
+
+    // All that were let go at the same wait have met there.
+    void learn_at_meeting(unsigned channel, const std::vector<unsigned>& released) {
+        const WaitPoint& here = interpreters_[channel].stands_at;
+        std::vector<unsigned> together;
+        for (const unsigned other : released)
+            if (const WaitPoint& there = interpreters_[other].stands_at; there.code == here.code && there.set == here.set) together.push_back(other);
+        spindles_.met(together);
+    }
+
+    void note_spindle(unsigned channel, const std::string& line) {
+        const auto event = nlohmann::json::parse(line, nullptr, false);
+        if (!event.is_object()) return;
+        const auto mode = event.find("mode");
+        const bool speed = mode != event.end() && (*mode == "rpm" || *mode == "css");
+        const auto spindle = event.find("spindle");
+        if (spindle != event.end() && spindle->is_number_unsigned()) spindles_.commanded(channel, spindle->get<unsigned>(), speed && event.contains("direction"));
     }
 
     void to_next_wait(Interpreter& interpreter) {
@@ -211,8 +237,10 @@ private:
             }
             if (kind == "select") note_selection(interpreter, line);
             if (kind == "start") start_others(line);
+            if (kind == "spindle") note_spindle(interpreter.channel, line);
             if (kind == "wait") {
-                matcher_.arrive(interpreter.channel, wait_point(interpreter.channel, line));
+                interpreter.stands_at = wait_point(interpreter.channel, line);
+                matcher_.arrive(interpreter.channel, interpreter.stands_at);
                 return;
             }
         }
@@ -304,6 +332,7 @@ private:
     std::map<unsigned, PlannedProgram> selected_;   // by INIT
     std::set<unsigned> follows_;                    // channels that begin it when what they run has ended
     WaitMatcher matcher_;
+    SpindlesKnown spindles_;
     Output output_;
     std::string shared_path_;
     std::size_t alarms_ = 0, starts_ = 0;
