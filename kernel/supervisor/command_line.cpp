@@ -156,6 +156,16 @@ CommandLine read_command_line(int argc, char** argv) {
         actions.push_back(one);
     }
 
+    CLI::App* job = app.add_subcommand("job", tell("A job's zeros and offsets, on a running controller"));
+    job->require_subcommand(1);
+    std::vector<CLI::App*> job_actions;
+    for (const auto& [name, text] : {std::pair{"load", "Selects the job and enters its zeros and the offsets of its setup"}, {"diff", "What is entered otherwise than the job has it"}}) {
+        CLI::App* one = job->add_subcommand(name, tell(text));
+        one->add_option("JOB", line.of_job.file, tell("NAME.job.toml"))->required();
+        one->add_option("--instance", line.of_job.instance, tell("the controller; default polyturn"));
+        one->footer(tell("Exit status: 0 done, or nothing differs; 1 something differs or this machine does not have it; 2 refused."));
+        job_actions.push_back(one);
+    }
     add_store_verbs(app, line);
     CLI::App* clean = app.add_subcommand("clean", tell("Removes what no living process holds: shared memory, sockets"));
     CLI::App* bench = app.add_subcommand("bench", tell("Runs the benchmarks of this build and prints their figures"))->prefix_command();
@@ -187,6 +197,11 @@ CommandLine read_command_line(int argc, char** argv) {
             }
         }
     if (*dialogue) line.verb = Verb::Dialogue, take_words(*dialogue, line);
+    if (*job) {
+        line.verb = Verb::Job;
+        for (CLI::App* one : job_actions)
+            if (*one) line.of_job.action = one->get_name();
+    }
     if (*params) {
         line.verb = Verb::Params;
         for (CLI::App* one : actions)

@@ -5,6 +5,7 @@
 #include "kernel/supervisor/bench.hpp"
 #include "kernel/supervisor/check.hpp"
 #include "kernel/supervisor/dialogue_verb.hpp"
+#include "kernel/supervisor/job_verb.hpp"
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/params_verb.hpp"
 #include "kernel/supervisor/run.hpp"
@@ -30,6 +31,8 @@ int main(int argc, char** argv) {
             return show_status(line);
         case Verb::Alarms:
             return show_alarms(line);
+        case Verb::Job:
+            return job_verb(line.of_job);
         case Verb::Dialogue:
             return dialogue_verb(line);
         case Verb::Clean:

@@ -43,7 +43,11 @@ struct StoreOptions {
     bool incremental = false, preview = false, yes = false;
 };
 
-enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Store, Dialogue };
+struct JobVerbOptions {
+    std::string action, file, instance;   // diff, load
+};
+
+enum class Verb { None, Job, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Store, Dialogue };
 
 struct CommandLine {
     Verb verb = Verb::None;
@@ -52,6 +56,7 @@ struct CommandLine {
     StartOptions start;
     ParamsOptions params;
     StoreOptions store;
+    JobVerbOptions of_job;
     std::string instance;           // press, set, alarms: empty means polyturn; status: all
     std::string words;              // press, set, release: the rest of the line
     std::vector<std::string> rest;  // bench

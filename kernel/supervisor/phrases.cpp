@@ -44,6 +44,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"the job has {} = {:.4f}, entered is {:.4f}, and that holds", "в задании {} = {:.4f}, введено {:.4f}, и действует введённое", "zakázka má {} = {:.4f}, zadáno je {:.4f}, a to platí", "a munkában {} = {:.4f}, beírva {:.4f}, és a beírt érvényes"},
     {"L{}: other offsets than in the job's setup are entered, and those hold: {}", "L{}: введены не те корректоры, что в наладке задания, и действуют введённые: {}", "L{}: zadány jsou jiné korekce než v seřízení zakázky, a ty platí: {}", "L{}: más korrekciók vannak beírva, mint a munka beállításában, és a beírtak érvényesek: {}"},
     {"the job has {} = {:.4f}, which this machine does not have", "в задании {} = {:.4f}, у этого станка такого нет", "zakázka má {} = {:.4f}, tento stroj to nemá", "a munkában {} = {:.4f}, ennek a gépnek nincs ilyen"},
+    {"{}: {:.4f}, which this machine does not have\n", "{}: {:.4f}, у этого станка такого нет\n", "{}: {:.4f}, tento stroj to nemá\n", "{}: {:.4f}, ennek a gépnek nincs ilyen\n"},
+    {"The zeros and offsets of the job are entered.\n", "Нулевые точки и корректоры задания введены.\n", "Nulové body a korekce zakázky jsou zadány.\n", "A munka nullpontjai és korrekciói be vannak írva.\n"},
     {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
     {"not referenced ", "без референта ", "bez reference ", "nem referált "},
     {"moves ", "движется ", "v pohybu ", "mozog "},
