@@ -110,6 +110,7 @@ int StartSession::run() {
     }
     tell_words(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")), options_.instance,
                      machine_.channel_count, machine_.axis_count, machine_.spindle_count));
+    if (!options_.no_hmi) screens_.open(options_.instance);
     server_.set_guests([this](std::int64_t uid) {
         const auto users = std::make_unique<UserTable>();
         if (!controller_->store().users.read(*users)) return false;
@@ -117,6 +118,7 @@ int StartSession::run() {
         return std::any_of(begin, begin + std::min<std::size_t>(users->count, kUsers), [&](const UserRow& row) { return row.uid == uid; });
     });
     loop();
+    screens_.close();
     keep_stops(stops_.close(utc_ms()));
     keep_alarms();
     controller_->stop(5'000);
@@ -132,6 +134,7 @@ void StartSession::loop() {
         take_answers();
         watch_stops();
         revive();
+        screens_.look();
         server_.serve(10, [this](RequestServer::Client client, const std::string& line) { handle(client, line); });
     }
 }

@@ -17,6 +17,7 @@
 #include "kernel/supervisor/event_joiner.hpp"
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/request_socket.hpp"
+#include "kernel/supervisor/screens.hpp"
 #include "kernel/supervisor/stop_watch.hpp"
 
 namespace polyturn::supervisor {
@@ -84,6 +85,7 @@ private:
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started
     std::deque<Waiting> waiting_;
     StopWatch stops_;
+    Screens screens_;
     std::deque<Stop> untold_stops_;   // the store does not take them now
     std::deque<std::string> unkept_alarms_;   // on their way to the store
     std::chrono::steady_clock::time_point next_stop_look_{};
