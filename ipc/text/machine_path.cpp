@@ -38,11 +38,12 @@ std::string program_folder() {
 std::string share_folder() {
     if (const char* chosen = std::getenv("POLYTURN_SHARE"); chosen && *chosen) return chosen;
     const fs::path program = program_folder();
-    const fs::path installed = program / ".." / "share" / "polyturn";
-    if (is_folder(installed / "machines") || is_folder(installed / "examples" / "machines")) return installed.lexically_normal().string();
-    // The build tree lies somewhere below the sources: build/bin, build/<name>/bin.
+    // The build tree lies somewhere below the sources, build/bin or build/<name>/bin; elsewhere it has a link to them where an
+    // installation has the files themselves.
     for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path())
         if (is_folder(folder / "examples" / "machines")) return folder.string();
+    const fs::path installed = program / ".." / "share" / "polyturn";
+    if (is_folder(installed / "machines") || is_folder(installed / "examples" / "machines")) return installed.lexically_normal().string();
     return {};
 }
 

@@ -1,13 +1,49 @@
 #include "kernel/supervisor/start.hpp"
 
+#include <filesystem>
+
+#include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/start_session.hpp"
 
 namespace polyturn::supervisor {
+namespace fs = std::filesystem;
+namespace {
 
-int start_controller(const StartOptions& options) {
-    if (!valid_instance(options.instance)) {
-        print_diagnosis(Diagnosis{Alarm::InstanceName, {}, {}, options.instance}, Dialect::Polyturn);
+// A machine that is named, or not even that, is one that comes with Polyturn, an example: a controller that is started with it gets a
+// copy of its own beside its store, so that what is measured there is written there, not into the installed examples. A copy that is
+// there already stays as it is. Whoever gives a path means the files of that path.
+Result<std::string> own_machine(const StartOptions& options) {
+    std::error_code wrong;
+    if (options.machine.find('/') != std::string::npos || fs::exists(options.machine, wrong)) return options.machine;
+    const auto path = text::resolve_machine(options.machine);
+    if (!path) return options.machine;   // told where it is loaded
+    const fs::path shipped = path->folder;
+    const std::string store = options.store.empty() ? default_store(options.instance) : options.store;
+    const fs::path own = fs::path(store) / "machines" / shipped.filename();
+    if (fs::exists(own / "machine.params", wrong)) return own.string();
+    // Whole or not at all, whatever ends this process: the copy gets its name when it is complete.
+    const fs::path fresh = own.string() + ".new";
+    fs::remove_all(fresh, wrong);
+    fs::create_directories(own.parent_path(), wrong);
+    if (!wrong) fs::copy(shipped, fresh, fs::copy_options::recursive, wrong);
+    if (!wrong) fs::rename(fresh, own, wrong);
+    if (wrong) return Diagnosis{Alarm::OutputFile, {}, {}, own.string() + " (" + wrong.message() + ")"};
+    return own.string();
+}
+
+}  // namespace
+
+int start_controller(const StartOptions& asked) {
+    if (!valid_instance(asked.instance)) {
+        print_diagnosis(Diagnosis{Alarm::InstanceName, {}, {}, asked.instance}, Dialect::Polyturn);
+        return 2;
+    }
+    StartOptions options = asked;
+    if (auto own = own_machine(asked)) {
+        options.machine = std::move(*own);
+    } else {
+        print_diagnosis(own.diagnosis(), Dialect::Polyturn);
         return 2;
     }
     MachineSource source;

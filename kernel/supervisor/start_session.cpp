@@ -41,15 +41,15 @@ constexpr std::size_t kKeptAlarms = 1000;
 constexpr std::size_t kMostDeaths = 5;  // of one process within kDeathWindow: then it stays dead
 constexpr auto kDeathWindow = std::chrono::seconds(30);
 
+void tell_words(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
+
+}  // namespace
+
 std::string default_store(const std::string& instance) {
     if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state) return std::string(state) + "/polyturn/" + instance;
     const char* home = std::getenv("HOME");
     return std::string(home && *home ? home : "/var/lib") + "/.local/state/polyturn/" + instance;
 }
-
-void tell_words(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
-
-}  // namespace
 
 StartSession::StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server)
     : options_(options), loaded_(std::move(machine)), machine_(derive_machine_config(*loaded_.table)), server_(std::move(server)) {

@@ -23,6 +23,7 @@
 namespace polyturn::supervisor {
 
 std::int64_t utc_ms();   // now, since 1970
+std::string default_store(const std::string& instance);   // the folder of a controller that is started without --store
 
 class StartSession {
 public:

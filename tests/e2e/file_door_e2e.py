@@ -101,6 +101,21 @@ class Running(LiveCase):
                 self.assertIn("PT0007", reached[name].out + reached[name].err, reached[name].said())
                 self.assertNotIn("secret", reached[name].out + reached[name].err)
 
+    def test_what_is_measured_on_an_example_machine_is_not_written_into_the_examples(self):
+        shipped = POLYTURN.parents[3] / "examples/machines/twin-turret"
+        kept, own = shipped / "machine.compensation", self.folder / "store/machines/twin-turret/machine.compensation"
+        self.assertFalse(kept.exists())
+        self.addCleanup(lambda: kept.unlink(missing_ok=True))
+        self.start()
+        press = lambda *words: self.polyturn("press", "--instance", self.name, *words)
+        program = self.write("cells.nc", "O1\nG10 L50\nN10000 R-20\nG11\nM30\n")
+        for words in ("machine_on", "reference all"):
+            press(*words.split())
+        self.assertEqual(press("select", f"L1={program}").status, 0)
+        self.wait_for(lambda: press("cycle_start", "L1").status == 0 and self.polyturn("alarms", "--instance", self.name).status == 0 and (own.exists() or kept.exists()), 20, "the cell")
+        self.assertFalse(kept.exists(), "in the examples")
+        self.assertIn("10000=-0.02", own.read_text())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """What the command line promises to scripts: version, help, exit statuses, parameters of a private controller."""
+import shutil
+import subprocess
 import unittest
 
-from polyturn_runner import Case
+from polyturn_runner import POLYTURN, Case
 
 
 class Usage(Case):
@@ -55,6 +57,16 @@ class Usage(Case):
             self.assertEqual(done.alarms[0]["text"], done.alarms[0]["text"].encode("ascii", "replace").decode(), "events stay English")
         self.assertEqual(len({text for text, report in said.values()}), 4, said)
         self.assertEqual(len({report for text, report in said.values()}), 4, said)
+
+    def test_a_build_folder_anywhere_finds_the_machines(self):
+        share = POLYTURN.parent.parent / "share/polyturn"
+        self.assertTrue((share / "examples/machines").is_dir(), "what the build makes beside bin")
+        (self.folder / "build/share").mkdir(parents=True)
+        (self.folder / "build/share/polyturn").symlink_to(share.resolve())
+        shutil.copytree(POLYTURN.parent, self.folder / "build/bin", ignore=lambda folder, names: [n for n in names if not n.startswith("polyturn") or n == "polyturn-hmi"])
+        program = self.write("a.nc", "G0 X50.\nM30\n")
+        done = subprocess.run([self.folder / "build/bin/polyturn", "check", program], capture_output=True, cwd=self.folder, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":
