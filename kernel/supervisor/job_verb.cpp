@@ -17,13 +17,11 @@ namespace polyturn::supervisor {
 
 namespace {
 
-using Json = nlohmann::json;
-
 // One value that the job wants otherwise than it is entered, and the operation of the store that enters it.
 struct Entry {
     std::string name;             // "L1 G54 Z", "L2 3 wear X"
     double wanted = 0, entered = 0;   // NaN: this machine has no such place
-    Json operation;
+    nlohmann::json operation;
 };
 
 class JobEntries {
@@ -72,7 +70,7 @@ private:
     std::vector<Entry> entries_;
 };
 
-void tell(const Entry& entry) {
+void tell_entry(const Entry& entry) {
     if (std::isnan(entry.entered)) print(fmt::format(fmt::runtime(say("{}: {:.4f}, which this machine does not have\n")), entry.name, entry.wanted));
     else print(fmt::format("{}: {:.4f} -> {:.4f}\n", entry.name, entry.entered, entry.wanted));
 }
@@ -83,15 +81,15 @@ int job_verb(const JobVerbOptions& options) {
     const std::string instance = options.instance.empty() ? "polyturn" : options.instance;
     const std::string file = std::filesystem::absolute(options.file).string();
     // Selected first: that is refused while a program runs, and then nothing is entered either.
-    if (options.action == "load" && !ask(instance, Json{{"do", "press"}, {"words", "select " + file}, {"folder", "/"}}.dump())) return 2;
+    if (options.action == "load" && !ask(instance, nlohmann::json{{"do", "press"}, {"words", "select " + file}, {"folder", "/"}}.dump())) return 2;
     const auto entries = JobEntries::read(file, instance);
     if (!entries) return refuse(entries.diagnosis());
     bool all_entered = true;
     for (const Entry& entry : entries->all()) {
         const bool possible = !std::isnan(entry.entered);
-        if (options.action == "load" && possible && !ask(instance, Json{{"do", "store"}, {"op", entry.operation}}.dump())) return 2;
+        if (options.action == "load" && possible && !ask(instance, nlohmann::json{{"do", "store"}, {"op", entry.operation}}.dump())) return 2;
         all_entered = all_entered && possible;
-        tell(entry);
+        tell_entry(entry);
     }
     if (entries->all().empty()) print(say("The zeros and offsets of the job are entered.\n"));
     return options.action == "diff" ? (entries->all().empty() ? 0 : 1) : all_entered ? 0 : 1;

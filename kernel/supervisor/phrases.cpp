@@ -46,6 +46,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"the job has {} = {:.4f}, which this machine does not have", "в задании {} = {:.4f}, у этого станка такого нет", "zakázka má {} = {:.4f}, tento stroj to nemá", "a munkában {} = {:.4f}, ennek a gépnek nincs ilyen"},
     {"{}: {:.4f}, which this machine does not have\n", "{}: {:.4f}, у этого станка такого нет\n", "{}: {:.4f}, tento stroj to nemá\n", "{}: {:.4f}, ennek a gépnek nincs ilyen\n"},
     {"The zeros and offsets of the job are entered.\n", "Нулевые точки и корректоры задания введены.\n", "Nulové body a korekce zakázky jsou zadány.\n", "A munka nullpontjai és korrekciói be vannak írva.\n"},
+    {"polyturn: all drives are simulated: a late tick stops nothing (PT_LATE_MAX=1000).\n", "polyturn: все приводы смоделированы: опоздавший такт ничего не останавливает (PT_LATE_MAX=1000).\n",
+     "polyturn: všechny pohony jsou simulované: opožděný takt nic nezastaví (PT_LATE_MAX=1000).\n", "polyturn: minden hajtás szimulált: késő ütem semmit sem állít le (PT_LATE_MAX=1000).\n"},
     {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
     {"not referenced ", "без референта ", "bez reference ", "nem referált "},
     {"moves ", "движется ", "v pohybu ", "mozog "},

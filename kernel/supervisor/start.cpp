@@ -1,9 +1,14 @@
 #include "kernel/supervisor/start.hpp"
 
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 
+#include "ipc/machine/drive_sources.hpp"
+#include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/start_session.hpp"
 
 namespace polyturn::supervisor {
@@ -32,6 +37,23 @@ Result<std::string> own_machine(const StartOptions& options) {
     return own.string();
 }
 
+bool only_simulated(const params::Table& table) {
+    const DriveSources drives = wanted_drives(table);
+    return !drives.library && !drives.process;
+}
+
+// Where no drive is real, a tick that comes late on a computer that has other work hurts nobody: it is counted, and only a second of
+// them in a row stops the machine. A limit that the machine or the command line gives holds.
+void be_patient(StartOptions& options, params::Table& table) {
+    const auto row = std::make_unique<params::Table>(params::defaults());
+    if (params::get(table, params::pt_late_max) != params::get(*row, params::pt_late_max)) return;
+    const std::string line = "PT_LATE_MAX=1000";   // ticks in a row
+    const auto assignment = params::parse_assignment(line);
+    if (!assignment || !params::apply(table, {&*assignment, 1})) return;
+    options.sets.push_back(line);
+    std::fputs(std::string(say("polyturn: all drives are simulated: a late tick stops nothing (PT_LATE_MAX=1000).\n")).c_str(), stderr);
+}
+
 }  // namespace
 
 int start_controller(const StartOptions& asked) {
@@ -53,6 +75,7 @@ int start_controller(const StartOptions& asked) {
     LoadedMachine machine = load_machine(source);
     for (const Diagnosis& diagnosis : machine.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);
     if (!machine.ok()) return 2;
+    if (only_simulated(*machine.table)) be_patient(options, *machine.table);
     catch_signals();
     auto server = RequestServer::open(options.instance);
     if (!server) {
