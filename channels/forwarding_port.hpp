@@ -43,6 +43,7 @@ public:
     const ToolEdgeTable* tool_edges() override { return next_->tool_edges(); }
     DialogueAnswers dialogue_answers() override { return next_->dialogue_answers(); }
     Turning started_by_others(unsigned spindle) override { return next_->started_by_others(spindle); }
+    bool program_alarm_is_sure() override { return next_->program_alarm_is_sure(); }
 
 protected:
     Port* next_;

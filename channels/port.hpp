@@ -98,6 +98,8 @@ public:
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
     enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
     virtual Turning started_by_others(unsigned spindle) = 0;
+    // An alarm that the program raises itself by what it has read of the machine. False: only the machine knows whether it would.
+    virtual bool program_alarm_is_sure() { return true; }
 };
 
 }  // namespace polyturn::channels

@@ -180,6 +180,15 @@ private:
     unsigned common_;
 };
 
+// Does an axis of the channel take over the way of another one (N2101 and its fellows)?
+bool may_follow(const MachineView& view) {
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const unsigned axis = view.axes[i].machine_axis + 1u;
+        if (params::get(view.table(), params::n2101_synchronous_master, axis) > 0 || params::get(view.table(), params::n2107_superimposed_master, axis) > 0) return true;
+    }
+    return false;
+}
+
 // "go SPINDLES": the others have had their turn; what is known of their spindles.
 bool ask_to_go_on(CheckPort& port) {
     char line[64];
@@ -240,6 +249,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     CheckPort port(setup, options.channel, options.alone);
     const SharedCells shared(options.shared, view.config().kind);
     port.share(shared.cells());
+    port.axes_follow(may_follow(view));
     WaitWatch sink(events, port, view, shared);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
@@ -270,6 +280,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
         }
         if (step != Step::AtBarrier && step != Step::Continue) break;
         if (step == Step::Continue && !sink.waiting) continue;
+        if (step == Step::AtBarrier && !sink.waiting) port.looked_at_machine();   // it asks for a live value
         if (sink.waiting) {
             sink.waiting = false;
             printer.flush();

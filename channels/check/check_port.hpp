@@ -32,6 +32,10 @@ public:
         if (alone_) return Turning::No;
         return spindle >= 1 && spindle <= kMaxSpindles && (turning_ >> (spindle - 1) & 1u) ? Turning::Watched : Turning::Unknown;
     }
+    // A program that has looked at positions which follow an axis of another channel: where they stand is not counted here.
+    bool program_alarm_is_sure() override { return alone_ || !follows_ || !looked_; }
+    void axes_follow(bool follow) { follows_ = follow; }
+    void looked_at_machine() { looked_ = true; }
     // The spindles that other channels have started for certain, as of the last wait; bit 0 is spindle 1.
     void others_turn(std::uint32_t spindles) { turning_ = spindles; }
 
@@ -41,6 +45,7 @@ private:
     bool alone_;
     double* shared_ = nullptr;
     std::uint32_t turning_ = 0;
+    bool follows_ = false, looked_ = false;
     std::array<std::optional<double>, kMaxAxes> skipped_{};
 };
 

@@ -345,8 +345,7 @@ Interpreter::Flow Interpreter::error_statement(const char*& at, const char* end)
         }
     }
     message_ = text.empty() ? fmt::format("error {:.0f}", std::nearbyint(number)) : with_parameters(text, true);
-    core_.fail(Alarm::MacroAlarm, 0, message_, std::nearbyint(number));
-    return Flow::Fault;
+    return core_.program_alarm(message_, std::nearbyint(number)) ? Flow::Done : Flow::Fault;
 }
 
 Interpreter::Flow Interpreter::number_of_statement(const char*& at, const char* end, char letter, std::int64_t& number) {

@@ -397,7 +397,7 @@ bool Interpreter::written(std::int64_t number, double value, std::string_view co
         message_ = comment;
         if (message_.empty()) message_ = "alarm of the program";
         if (!is_null(value) && (value < 0 || value > 200) && !settings_.nct) return core_.fail(Alarm::VariableValue, 0, "#3000", value);
-        return core_.fail(Alarm::MacroAlarm, 0, message_, 3000 + (is_null(value) ? 0 : std::nearbyint(value)));
+        return core_.program_alarm(message_, 3000 + (is_null(value) ? 0 : std::nearbyint(value)));
     }
     if (number == 3006) {   // a message, and the program stops
         core_.mark_emitted();

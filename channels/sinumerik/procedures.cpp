@@ -44,7 +44,7 @@ bool Interpreter::p_setal(Call& c) {
     replace("%1", std::to_string(core_.view().channel));
     replace("%2", core_.at.block >= 0 ? "N" + std::to_string(core_.at.block) : std::string());
     replace("%4", {});
-    return fail(Alarm::MacroAlarm, text.empty() ? "SETAL " + to_text(Value::of_int(number)) : text, number);
+    return core_.program_alarm(text.empty() ? "SETAL " + to_text(Value::of_int(number)) : text, number);
 }
 
 bool Interpreter::p_stopre(Call&) {

@@ -22,6 +22,12 @@ bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double 
     return false;
 }
 
+bool Core::program_alarm(const std::string& text, double number) {
+    if (port_->program_alarm_is_sure()) return fail(Alarm::MacroAlarm, 0, text, number);
+    sink_->alarm({Alarm::ProgramAlarmUnsure, {{}, at.line, 0, 0}, {number, 0.0}, text}, at);
+    return true;
+}
+
 void Core::start_at_machine(const AxisValues& machine) {
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = view_->axes[i].from_drive(machine[i]);
     rebase_all();

@@ -176,6 +176,9 @@ public:
     Port& port() { return *port_; }
     const Fault& fault() const { return fault_; }
     bool fail(Alarm alarm, char letter = 0, std::string detail = {}, double v0 = 0.0, double v1 = 0.0);
+    // An alarm of the program's own (#3000, ERROR, SETAL): a fault, unless nobody but the machine knows whether it would come; then that is
+    // told, and the program goes on behind it.
+    bool program_alarm(const std::string& text, double number);
     void set_fault(Fault fault) { fault_ = std::move(fault); }
     bool emitted() const { return emitted_; }   // something was delivered since begin_block()
     void begin_block() { emitted_ = false; }
