@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxPathAxes = 8;      // axes that one record move
 inline constexpr std::size_t kMaxCurveAxes = 5;     // axes that a blend can bend; a corner of more is a stop
 inline constexpr std::size_t kCommandText = 256;    // bytes of a program's path or a block by hand, the end included
 inline constexpr std::size_t kKinematics = 16;       // transformations that a channel's records can name
+inline constexpr std::size_t kMdiLines = 16;        // blocks that a channel's list of those entered by hand holds
 inline constexpr std::size_t kPathRing = 4096;      // records a channel can be ahead of the machine
 // Changes of what holds in a channel that screens can look up: each record that waits in the ring may have one of its own (G0 and G1 in turn), and
 // there are blocks without a record.

@@ -1,12 +1,15 @@
 // What the fields of a Command mean, kind by kind. Written by the supervisor (press, set, scenario), carried out by the
 // kernel at the start of Command::tick. channel, axis, spindle count from 1; channel 0 means all that exist.
 //
-//   CycleStart                    channel; 0: those that have something to begin, object: of this machine group, 0 of all
+//   CycleStart                    channel; 0: those that have something to begin, object: of this machine group, 0 of all;
+//                                 flags: kStartByHand, only a block of the MDI list
 //   FeedHold, Reset               channel
 //   EmergencyStop, MachineOn, ReleaseStop   -
 //   Mode                          channel, value: ChannelMode
 //   Select                        channel, text: program file, value: Dialect that its job names, 0 none
-//   Mdi                           channel, text: the block
+//   Mdi                           channel, text: the block, which comes into the list of those entered by hand; nothing moves
+//   MdiClear                      channel: blocks of that list which have not run are taken back, what has run is no longer shown
+//   HandKey                       channel, text: a block that is started at once, by a key whose label says so
 //   Jog                           object: axis, value: seconds with the sign of the direction, from now on when it jogs already; 0 stops it
 //   Step                          object: axis, value: true mm or degrees, signed
 //   Handwheel                     object: axis (0: the time of the program of `channel`), flags: number of the wheel, value: clicks, signed
@@ -41,5 +44,6 @@
 namespace polyturn {
 inline constexpr std::uint32_t kSlotOfNc = 0, kSlotOfPlc = 1;   // Command::flags and KernelEvent::line of signals
 inline constexpr std::uint32_t kSlotOfDouble = 2;               // bit of Command::flags of a Watch: two slots, the low word first
+inline constexpr std::uint32_t kStartByHand = 1;                // Command::flags of a CycleStart: a block of the MDI list, or nothing
 inline constexpr std::size_t kMaxWatches = 64;                  // signals that one run reports
 }  // namespace polyturn

@@ -155,7 +155,11 @@ enum class CommandKind : std::uint32_t {
     Superpose,       // a handwheel adds its way to the axes of a running program
     Scope,           // what a trace of the scope records
     DialogueValue, DialogueKey,   // answers to the dialogue of a program
+    MdiClear,        // blocks entered by hand that have not run are taken back
+    HandKey,         // a key that is a start by its label (tool, part transfer): one block at once, refused as a start is
 };
+// Of a block in the list of those entered by hand. BrokenOff: a reset or an alarm came while it ran.
+enum class MdiState : std::uint32_t { Entered = 0, Runs, Done, BrokenOff };
 
 // Of a trace of the scope. Signals are slots, inputs their numbers.
 enum class ScopeKind : std::uint32_t {

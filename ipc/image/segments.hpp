@@ -70,6 +70,7 @@ struct KernelSegment {
     RingTail param_tail;                                 // consumer of StoreSegment::param_changes
     RingTail tool_tail;                                  // consumer of StoreSegment::tool_answers
     std::array<std::atomic<double>, kMaxAxes> left_at;   // own position of an axis when moving it in a hold was allowed; stored before the Resume that needs it
+    std::array<Snapshot<MdiList>, kMaxChannels> mdi;     // blocks entered by hand
     Snapshot<GuardStatus> guard;                         // shapes of the machine as they stand, some times a second
     Snapshot<PlcInputs> plc_inputs;
     Snapshot<PlcOutputs> plc_seen;                       // the PLC's signals as they act (forced ones included)
