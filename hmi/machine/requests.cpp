@@ -1,7 +1,6 @@
 #include "hmi/machine/requests.hpp"
 
 #include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <QDateTime>
@@ -10,11 +9,10 @@
 #include <QJsonDocument>
 #include <QSocketNotifier>
 #include <cerrno>
-#include <cstddef>
-#include <cstring>
 
 #include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
+#include "ipc/memory/controller_door.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -38,15 +36,9 @@ Requests::~Requests() {
 
 bool Requests::open() {
     if (fd_ >= 0) return true;
-    const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    if (fd < 0) return false;
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    const std::string name = "polyturn." + instance_;
-    if (name.size() + 1 > sizeof address.sun_path) return ::close(fd), false;
-    std::memcpy(address.sun_path + 1, name.data(), name.size());   // a leading zero byte: abstract, it lives and dies with the supervisor
-    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-    if (::connect(fd, reinterpret_cast<sockaddr*>(&address), size) != 0) return ::close(fd), false;
+    const auto connected = connect_to_controller(instance_, false);   // and looked who listens: passwords go through it
+    if (!connected) return false;
+    const int fd = *connected;
     fd_ = fd;
     readable_ = std::make_unique<QSocketNotifier>(fd, QSocketNotifier::Read);
     writable_ = std::make_unique<QSocketNotifier>(fd, QSocketNotifier::Write);

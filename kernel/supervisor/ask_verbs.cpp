@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/memory/controller_door.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/job_plan.hpp"
@@ -135,7 +136,8 @@ int show_alarms(const CommandLine& line) {
 }
 
 int clean_up() {
-    const auto removed = remove_dead_instances();
+    auto removed = remove_dead_instances();
+    for (std::string& door : remove_dead_doors()) removed.push_back(std::move(door));
     for (const auto& name : removed) print(fmt::format(fmt::runtime(say("removed {}\n")), name));
     if (removed.empty()) print(say("Nothing to remove.\n"));
     return 0;

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "ipc/machine/drive_sources.hpp"
+#include "ipc/machine/store_requests.hpp"
 
 namespace polyturn::supervisor {
 
@@ -172,13 +174,41 @@ std::uint64_t Controller::send(Command command, std::int64_t tick) {
         batch_.push_back(command);
         return command.seq;
     }
-    while (!commands_->push(command)) {
+    while (!send_kept() || !commands_->push(command)) {
         own().bell.ring();
-        if (children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;  // nobody will read it
+        if (end_requested() || children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;  // nobody will read it
         sleep_ms(1);
     }
     own().bell.ring();
     return command.seq;
+}
+
+bool Controller::try_send(const std::vector<Command>& commands, bool stop) {
+    if (!send_kept()) return false;
+    const auto used = own().commands.head.load(std::memory_order_relaxed) - kernel().command_tail.tail.load(std::memory_order_acquire);
+    if (used + commands.size() + (stop ? 0 : kKeptForStops) > own().commands.capacity) return false;
+    for (Command command : commands) {
+        command.tick = 0;
+        command.seq = ++sequence_;
+        if (!commands_->push(command)) return false;   // cannot be: there was room
+    }
+    own().bell.ring();
+    return true;
+}
+
+void Controller::post(const Command& command) {
+    Command next = command;
+    next.tick = 0;
+    next.seq = ++sequence_;
+    kept_.push_back(next);
+    (void)send_kept();
+    own().bell.ring();
+}
+
+bool Controller::send_kept() {
+    for (; !kept_.empty(); kept_.pop_front())
+        if (!commands_->push(kept_.front())) return false;
+    return true;
 }
 
 void Controller::end_batch() {
@@ -197,7 +227,7 @@ void Controller::end_batch() {
     for (const Command& command : rest)
         while (!commands_->push(command)) {
             own().bell.ring();
-            if (!children_[kProcessKernel].running() || children_[kProcessKernel].reap()) return;
+            if (end_requested() || !children_[kProcessKernel].running() || children_[kProcessKernel].reap()) return;
             sleep_ms(1);
         }
     if (!rest.empty()) own().bell.ring();
@@ -233,7 +263,7 @@ void Controller::watch(const std::function<void(std::size_t, int)>& on_death) {
             Command died{};
             died.kind = static_cast<std::uint32_t>(CommandKind::ProcessDied);
             died.object = static_cast<std::uint32_t>(slot);
-            send(died);
+            post(died);
         }
         on_death(slot, child.status());
     }
@@ -250,7 +280,7 @@ void Controller::act(const ProcessAction& action, const std::function<void(std::
             mark(action.slot, ProcessState::Dead, 0);
             if (action.slot != kProcessKernel) {
                 told.kind = static_cast<std::uint32_t>(CommandKind::ProcessDied);
-                send(told);
+                post(told);
             }
             on_death(action.slot, found->second.status());
             return;
@@ -266,7 +296,24 @@ void Controller::act(const ProcessAction& action, const std::function<void(std::
             told.kind = static_cast<std::uint32_t>(CommandKind::ProcessContinued);
             break;
     }
-    if (action.slot != kProcessKernel) send(told);
+    if (action.slot != kProcessKernel) post(told);
+}
+
+// What a request that is passed over looks like: a piece of an operation whose beginning is not there. The store takes it and says nothing.
+void Controller::forget_requests() {
+    auto& ring = own().requests;
+    const auto head = ring.head.load(std::memory_order_relaxed);
+    for (auto i = (*store_)->request_tail.tail.load(std::memory_order_acquire); i < head; ++i) {
+        const std::uint64_t id = ring.slot(i).id;
+        ring.slot(i) = store_request(StoreRequestKind::Operation, 0, std::numeric_limits<std::int32_t>::max(), kMoreFollows, 0.0);
+        ring.slot(i).id = id;
+    }
+}
+
+void Controller::forget_taken_requests() {
+    auto& ring = own().requests;
+    const auto head = ring.head.load(std::memory_order_relaxed), tail = (*store_)->request_tail.tail.load(std::memory_order_acquire);
+    for (auto i = head > ring.capacity ? head - ring.capacity : 0; i < tail; ++i) ring.slot(i).name.fill(0);
 }
 
 Result<void> Controller::restart(std::size_t slot) {
@@ -279,17 +326,58 @@ Result<void> Controller::restart(std::size_t slot) {
     return {};
 }
 
-void Controller::beat() { own().heartbeat.fetch_add(1, std::memory_order_release); }
+Result<void> Controller::begin_restart(std::size_t slot) {
+    if (auto done = spawn(slot); !done) return done;
+    if (slot >= kProcessChannel) awaited_[slot] = std::chrono::steady_clock::now() + kAttachPatience;
+    return {};
+}
+
+void Controller::look_for_successors(const std::function<void(const Diagnosis&)>& on_fault) {
+    std::erase_if(awaited_, [&](const auto& one) {
+        const auto& [slot, until] = one;
+        Child& child = children_[slot];
+        if (!child.running()) return true;   // watch() tells
+        const auto number = static_cast<unsigned>(slot - kProcessChannel + 1);
+        auto peer = PeerSegment<ChannelSegment>::attach(plan_.instance, number, std::chrono::milliseconds(0));
+        if (peer && (*peer)->header.writer_pid == child.pid()) {
+            channels_.insert_or_assign(number, std::move(*peer));
+            return true;
+        }
+        const bool wrong = !peer && peer.diagnosis().alarm == Alarm::SegmentLayout;
+        if (!wrong && std::chrono::steady_clock::now() < until) return false;
+        on_fault(wrong ? peer.diagnosis() : Diagnosis{Alarm::NoProgress, {}, {}, fmt::format("{} does not get ready", program_of(slot))});
+        child.signal(SIGKILL);   // its death is seen, and counted
+        return true;
+    });
+}
+
+void Controller::beat() {
+    own().heartbeat.fetch_add(1, std::memory_order_release);
+    if (!kept_.empty()) (void)send_kept();
+}
 
 void Controller::wait(std::uint32_t seen, std::int64_t timeout_us, int spins) const { kernel().supervisor_bell.wait(seen, timeout_us, spins); }
 
-void Controller::stop(int patience_ms) {
-    if (kernel_ && running(kProcessKernel)) {
-        Command end{};
-        end.kind = static_cast<std::uint32_t>(CommandKind::EndRun);
-        send(end);
-        children_[kProcessKernel].end_within(patience_ms);
+void Controller::stop_kernel(int patience_ms) {
+    if (!kernel_ || !running(kProcessKernel)) return;
+    Child& kernel = children_[kProcessKernel];
+    kernel.signal(SIGCONT);   // one that stands still could neither take the command nor stop an axis
+    Command end{};
+    end.kind = static_cast<std::uint32_t>(CommandKind::EndRun);
+    end.seq = ++sequence_;
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_ms);
+    bool sent = false;
+    while (!(sent = send_kept() && commands_->push(end)) && !kernel.reap() && std::chrono::steady_clock::now() < until) {
+        own().bell.ring();
+        sleep_ms(1);
     }
+    own().bell.ring();
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now()).count();
+    kernel.end_within(sent ? static_cast<int>(std::max<std::int64_t>(left, 1)) : 1);
+}
+
+void Controller::stop(int patience_ms) {
+    stop_kernel(patience_ms);
     mark(kProcessKernel, ProcessState::Dead, 0);
     for (auto& [slot, child] : children_)
         if (child.running()) child.signal(SIGCONT), child.signal(SIGTERM);

@@ -3,6 +3,8 @@
 // Order of the start: supervisor's segment, toolmgmt (parameters and offsets), kernel, PLC, channels. Every process dies
 // with this one. A process counts as dead only when it has been reaped (architecture 4.4); then the kernel is told.
 #pragma once
+#include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -44,27 +46,38 @@ public:
     const std::string& instance() const { return plan_.instance; }
     const ControllerPlan& plan() const { return plan_; }
 
-    // Sends a command that acts at `tick` (0: at the next one). Returns its number. Waits for room while the kernel lives.
+    // Sends a command that acts at `tick` (0: at the next one). Returns its number. Waits for room while the kernel lives: for runs.
     std::uint64_t send(Command command, std::int64_t tick = 0);
+    // All of them or none, at the next tick. Nobody is waited for: a stop has room that others leave it.
+    static constexpr std::size_t kKeptForStops = 16;
+    [[nodiscard]] bool try_send(const std::vector<Command>& commands, bool stop);
     // What is sent between these two appears in the ring at once: virtual time cannot begin with half of it.
     void begin_batch() { batching_ = true; }
     void end_batch();
-    // Asks the store; the answer comes through answer().
+    // Asks the store; the answer comes through next_answer(). False: there is no room.
     bool ask_store(const StoreRequest& request);
     bool next_answer(StoreAnswer& answer);
+    std::uint64_t asked() const { return request_; }   // the number of the last request
+    // Of the requests that the dead store has not taken nothing is left: its successor goes on behind them. Only between its death and restart().
+    void forget_requests();
+    void forget_taken_requests();   // passwords do not stay in shared memory
 
     // Reaps what has died and tells the kernel. on_death(slot, status) once for each.
     void watch(const std::function<void(std::size_t slot, int status)>& on_death);
     void act(const ProcessAction& action, const std::function<void(std::size_t slot, int status)>& on_death);
     bool running(std::size_t slot) const;
-    Result<void> restart(std::size_t slot);  // a successor, after watch() has reported the death
+    Result<void> restart(std::size_t slot);  // a successor, after watch() has reported the death; waits until it is there
+    Result<void> begin_restart(std::size_t slot);  // the same without waiting: look_for_successors() finds it
+    void look_for_successors(const std::function<void(const Diagnosis&)>& on_fault);
     void beat();                             // "the supervisor lives"
     // Waits until the kernel rings, a child dies or the time is over.
     void wait(std::uint32_t seen, std::int64_t timeout_us, int spins) const;
     std::uint32_t bell() const { return kernel().supervisor_bell.seen(); }
 
-    // Controlled end: the kernel brings everything to rest; then all processes end.
+    // Controlled end: the kernel brings everything to rest; then all processes end. Who does not end in time is killed: the kernel and the
+    // store after `patience_ms` each, the others after a second each. One that stands still (SIGSTOP) is woken first.
     void stop(int patience_ms);
+    void stop_kernel(int patience_ms);   // the first half
 
 private:
     explicit Controller(ControllerPlan plan) : plan_(std::move(plan)) {}
@@ -73,6 +86,8 @@ private:
     template <class Layout>
     Result<PeerSegment<Layout>> attach(std::size_t slot, std::size_t number);
     void mark(std::size_t slot, ProcessState state, int pid);
+    void post(const Command& command);   // as send(), but what has no room is kept and sent by the next ones
+    bool send_kept();                    // true: nothing is kept any more
 
     ControllerPlan plan_;
     std::unique_ptr<OwnSegment<SupervisorSegment>> own_;
@@ -87,6 +102,8 @@ private:
     std::uint64_t request_ = 0;
     bool batching_ = false;
     std::vector<Command> batch_;
+    std::deque<Command> kept_;
+    std::map<std::size_t, std::chrono::steady_clock::time_point> awaited_;   // successors that have not shown themselves; until when
 };
 
 // SIGCHLD interrupts waits, so that a death is noticed at once. SIGTERM and SIGINT ask for a controlled end.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 
@@ -102,8 +103,10 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
         auto channel = PeerSegment<ChannelSegment>::attach(instance, number);
         auto names = std::make_unique<ProgramNames>();
         if (!channel || !(*channel)->programs.read(*names) || names->count == 0) continue;
-        const std::uint32_t file = std::min(picture->status.channels[number - 1].file, 31u);
-        picture->program[number - 1] = std::string(&names->name[file * 256]);
+        // A program that has been selected and has not begun has one name; the number is of the one before it.
+        const ChannelStatus& own = picture->status.channels[number - 1];
+        const std::uint32_t file = own.line && own.file < std::min(names->count, 32u) ? own.file : 0;
+        picture->program[number - 1] = std::string(&names->name[file * 256], ::strnlen(&names->name[file * 256], 255));
     }
     return picture;
 }

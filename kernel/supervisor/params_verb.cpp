@@ -242,7 +242,16 @@ int check(const ParamsOptions& options) {
 
 }  // namespace
 
-int params_verb(const ParamsOptions& options) {
+// Nothing said: the controller that `press` and `set` speak to, if it runs.
+static ParamsOptions with_instance(ParamsOptions options) {
+    constexpr std::string_view kUsual = "polyturn";
+    if (!options.instance.empty() || !options.machine.empty() || options.action == "check") return options;
+    if (const auto supervisor = PeerSegment<SupervisorSegment>::attach(kUsual); supervisor && process_lives((*supervisor)->header.writer_pid)) options.instance = kUsual;
+    return options;
+}
+
+int params_verb(const ParamsOptions& asked) {
+    const ParamsOptions options = with_instance(asked);
     if (options.action == "list") return list(options);
     if (options.action == "get") return get(options);
     if (options.action == "set") return set(options);

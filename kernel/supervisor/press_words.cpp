@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 #include "ipc/image/commands.hpp"
@@ -91,6 +92,14 @@ constexpr PressWord kWords[] = {
     {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part, stop_after_part off"},
 };
 
+// What a person can mean by one press. Beyond it is a slip of the hand or a program's mistake: it is refused before a machine hears of it.
+constexpr double kLongestStep = 10'000;        // mm or degrees
+constexpr double kLongestPress = 3'600;        // s
+constexpr double kMostClicks = 100'000;        // of a handwheel, at once
+constexpr double kLongestWarmUp = 86'400;      // s
+constexpr double kHighestBlock = 99'999'999;   // N
+constexpr double kHighestKey = 1'000'000;      // of a dialogue
+
 constexpr std::string_view kModes[] = {"auto", "mdi", "jog", "handwheel", "reference"};  // order of ChannelMode
 
 std::vector<std::string_view> split(std::string_view words) {
@@ -160,6 +169,10 @@ public:
 
 private:
     Diagnosis shape() const { return fault(Alarm::PressArgument, fmt::format("'{} {}' is not of the form: {}", word_.name, rest_, word_.shape)); }
+
+    Diagnosis out_of_range(std::string_view what, double most, std::string_view unit) const {
+        return fault(Alarm::PressArgument, fmt::format("{} {}: {} is out of range (at most {:g}{}{})", word_.name, rest_, what, most, unit.empty() ? "" : " ", unit));
+    }
 
     Result<Commands> one(Command command, double value) const {
         command.value = value;
@@ -255,7 +268,7 @@ private:
         if (!value.empty() && value.back() == 's') value.remove_suffix(1);
         const auto number = number_of(value);
         command.value = number.value_or(0);
-        return number.has_value() && *number >= 0;
+        return number.has_value() && *number >= 0 && *number <= kLongestWarmUp;
     }
     static bool percent(Command& command, std::string_view value) {
         if (!value.empty() && value.back() == '%') value.remove_suffix(1);
@@ -284,7 +297,7 @@ private:
     static bool block(Command& command, std::string_view value) {
         if (!value.empty() && (value[0] == 'N' || value[0] == 'n')) value.remove_prefix(1);
         const auto number = number_of(value);
-        if (!number || *number < 0 || *number != std::floor(*number)) return false;
+        if (!number || *number < 0 || *number > kHighestBlock || *number != std::floor(*number)) return false;
         command.value = *number;
         return true;
     }
@@ -313,7 +326,7 @@ private:
             const std::string_view name = parts_[i].substr(0, equals);
             const auto number = number_of(parts_[i].substr(equals + 1));
             const bool ends = name == "key";
-            if (!number || (ends && (i + 1 != parts_.size() || *number < 1 || *number != std::floor(*number)))) return shape();
+            if (!number || (ends && (i + 1 != parts_.size() || *number < 1 || *number > kHighestKey || *number != std::floor(*number)))) return shape();
             Command command = command_of(ends ? CommandKind::DialogueKey : CommandKind::DialogueValue);
             command.channel = channel;
             command.value = *number;
@@ -393,6 +406,7 @@ private:
         if (!time.empty() && time.back() == 's') time.remove_suffix(1);
         const auto seconds = number_of(time);
         if (!seconds || *seconds < 0) return shape();
+        if (*seconds > kLongestPress) return out_of_range(time, kLongestPress, "s");
         return one(command, sign * *seconds);
     }
 
@@ -404,6 +418,7 @@ private:
         if (!command.object) return why();
         const auto distance = number_of(parts_[1]);
         if (!distance || *distance < 0) return shape();
+        if (*distance > kLongestStep) return out_of_range(parts_[1], kLongestStep, "mm");
         return one(command, sign * *distance);
     }
 
@@ -412,6 +427,7 @@ private:
         Command command = command_of(CommandKind::Handwheel);
         const auto number = number_of(parts_[0]), clicks = number_of(parts_[2]);
         if (!number || !clicks || *number < 1 || *number > 4 || *number != std::floor(*number)) return shape();
+        if (std::abs(*clicks) > kMostClicks) return out_of_range(parts_[2], kMostClicks, "");
         command.flags = static_cast<std::uint32_t>(*number);
         if (parts_[1][0] == 'L') {   // the time of its program
             command.channel = instance(parts_[1], 'L');
@@ -543,6 +559,7 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
         const auto truth = on_off(value);
         const auto number = number_of(value);
         if (!number && !truth) return fault(Alarm::PressArgument, fmt::format("{} is no value of {}", value, signal->row->name));
+        if (number && std::abs(*number) > std::numeric_limits<std::int32_t>::max()) return fault(Alarm::PressArgument, fmt::format("{}: {} is out of range", signal->row->name, value));
         Command command = command_of(CommandKind::SetSignal);
         command.object = signal->slot();
         command.flags = signal->row->writer == SignalWriter::Plc ? kSlotOfPlc : kSlotOfNc;

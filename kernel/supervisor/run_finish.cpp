@@ -20,7 +20,8 @@ void RunSession::finish() {
                 record_.channels[number] = {channel.cycle_s, channel.cutting_s, channel.rapid_s, channel.waiting_s, channel.blocks};
             }
     }
-    // Cut short by a signal or the kernel's death: until the last thing that was heard.
+    // Cut short by a signal or the kernel's death: until now. In a long block nothing may have been heard for minutes.
+    if (!ending()) log_tick_ = std::max(log_tick_, static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)));
     if (!ending() && log_tick_ > origin_) end_s_ = std::max(end_s_, static_cast<double>(log_tick_ - origin_) * tick_s_);
     joiner_.finish(sink_);
     record_.seconds = end_s_;

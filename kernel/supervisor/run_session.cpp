@@ -91,8 +91,10 @@ void RunSession::loop() {
         if (now - checked_at_ > std::chrono::milliseconds(10)) {
             checked_at_ = now;
             controller_->watch([this](std::size_t slot, int status) { process_died(slot, status); });
-            if (!options_.virtual_time) watch_real_time();
-            watch_progress();
+            if (!stands_on_purpose()) {
+                if (!options_.virtual_time) watch_real_time();
+                watch_progress();
+            }
             if (end_requested()) done_ = stopped_short_ = true;
         }
         if (!moved)
@@ -350,7 +352,22 @@ void RunSession::take_action(const KernelEvent& event) {
     if (found == actions_.end()) return;
     const ProcessAction action = found->second;
     actions_.erase(found);
+    if (action.slot == kProcessKernel && action.kind == ProcessAction::Kind::Stop && action.for_s > 0)
+        thaw_at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(action.for_s));
     controller_->act(action, [this](std::size_t slot, int status) { process_died(slot, status); });
+}
+
+// A kernel that a scenario has stopped for a while goes on by itself: meanwhile nothing is expected of it. True while it stands.
+bool RunSession::stands_on_purpose() {
+    if (!thaw_at_) return false;
+    if (Clock::now() < *thaw_at_) return true;
+    thaw_at_.reset();
+    ProcessAction on;
+    on.kind = ProcessAction::Kind::Continue;
+    on.slot = kProcessKernel;
+    controller_->act(on, [this](std::size_t slot, int status) { process_died(slot, status); });
+    progress_at_ = still_since_ = Clock::now();
+    return false;
 }
 
 // Nothing can go on. Commands that the kernel has not looked at yet may change that: it says so again.

@@ -64,6 +64,7 @@ private:
     void select_in_successors(const MachineStatus& status);
     void take_alarm(const KernelEvent& event, double t_s);
     void take_action(const KernelEvent& event);
+    bool stands_on_purpose();
     void take_idle(double t_s);
     void report(const Diagnosis& diagnosis, unsigned channel, double t_s);
     void react(std::string_view event_text, double t_s);
@@ -106,6 +107,7 @@ private:
     std::size_t alarms_ = 0;
     std::uint64_t progress_tick_ = 0;
     std::chrono::steady_clock::time_point progress_at_{}, still_since_{}, checked_at_{};
+    std::optional<std::chrono::steady_clock::time_point> thaw_at_;   // of a kernel that a scenario has stopped for a while
 };
 
 }  // namespace polyturn::supervisor

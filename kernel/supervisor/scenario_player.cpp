@@ -112,8 +112,9 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
                 Planned one;
                 one.command.kind = static_cast<std::uint32_t>(CommandKind::Action);
                 one.action = ProcessAction{kill ? ProcessAction::Kind::Kill : ProcessAction::Kind::Stop, *slot};
+                if (stimulus.for_s && *slot == kProcessKernel) one.action->for_s = *stimulus.for_s;
                 planned.push_back(one);
-                if (stimulus.for_s) {
+                if (stimulus.for_s && *slot != kProcessKernel) {
                     one.action->kind = ProcessAction::Kind::Continue;
                     one.t_s = *stimulus.for_s;
                     planned.push_back(one);

@@ -21,6 +21,7 @@ namespace polyturn::supervisor {
 struct ProcessAction {
     enum class Kind { Kill, Stop, Continue } kind = Kind::Kill;
     std::size_t slot = 0;  // kProcessKernel ...
+    double for_s = 0.0;    // Stop of the kernel: its time stands with it, so the wall's says when it goes on; 0: somebody else does
 };
 
 // A command, or an action with the Action command that brings it about.

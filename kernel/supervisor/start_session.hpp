@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@
 #include "kernel/supervisor/request_socket.hpp"
 #include "kernel/supervisor/screens.hpp"
 #include "kernel/supervisor/stop_watch.hpp"
+#include "kernel/supervisor/store_desk.hpp"
+#include "kernel/supervisor/workers.hpp"
 
 namespace polyturn::supervisor {
 
@@ -41,20 +44,30 @@ private:
     void note_alarm(std::string event_text, Dialect dialect, bool tell);
     void process_died(std::size_t slot, int status);
     void revive();
-    void handle(RequestServer::Client client, const std::string& line);
-    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::function<std::vector<std::string>()>& notes = {});   // false: refused
-    Result<void> in_reach(std::string_view words, const std::string& folder, UserLevel level) const;
-    std::vector<std::string> differences(const text::Job& job) const;
-    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
-    void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);
+    void end();
+    // start_session_requests.cpp: what comes through the socket.
+    using Taken = RequestServer::Taken;
+    Taken handle(RequestServer::Client client, const Request& request);
+    Taken press(RequestServer::Client client, const Request& request, const Who& who);
+    Taken set(RequestServer::Client client, const Request& request, const Who& who);
+    Taken alarms_since(RequestServer::Client client, std::uint64_t since);
+    Taken refuse(RequestServer::Client client, const Diagnosis& why);
+    Taken serve_commands(RequestServer::Client client, Result<std::vector<Command>> commands, const Who& who, bool stop);
+    bool may_send(RequestServer::Client client, std::vector<Command>& commands, const Who& who);   // and by whom is written into them
+    Taken serve_lines(RequestServer::Client client, const std::vector<std::string>& lines, const Who& who);
+    Taken import_lines(RequestServer::Client client, const std::vector<std::string>& lines, const Who& who);
+    // start_session_select.cpp: a program or a job is selected.
+    Taken select(RequestServer::Client client, const Request& request, const Who& who);
+    void move_selections();
     // start_session_store.cpp: operations of the store (tools, offsets, users, backups), logins.
+    const UserTable* users();
     Who who_asks(RequestServer::Client client, const std::string& token);
     bool may(RequestServer::Client client, const Who& who, UserLevel least, const std::string& what);
-    void serve_operation(RequestServer::Client client, const std::string& operation, bool login, const Who& who);
-    bool push_request(const StoreRequest& request);
-    void forget_requests();
-    std::vector<Diagnosis> faults_of(const std::vector<std::string>& lines, bool import) const;
-    void take_answers();
+    Taken serve_operation(RequestServer::Client client, const Request& request, const Who& who);
+    Taken errand(RequestServer::Client client, Errand errand, const Who& who);
+    void own_operation(std::string text);
+    void told_by_store(const Errand& errand, StoreDesk::End end, const std::string& text);
+    StoreDesk::Told teller() { return [this](const Errand& errand, StoreDesk::End end, const std::string& text) { told_by_store(errand, end, text); }; }
     Dialect dialect(unsigned channel) const;
     bool runs(unsigned channel) const;   // a program: running, held, waiting, stopped in it
     std::array<Dialect, kMaxChannels> job_language_{};   // of what is selected, where its job says one; Polyturn: PT_LANGUAGE
@@ -63,28 +76,37 @@ private:
     void keep_stops(std::vector<Stop> stops);
     void keep_alarms();
 
-    // A client that waits for the store: so many answers are still to come.
-    struct Waiting {
+    // A program or a job on its way: its files are read, then the machine must be ready for it, then what the job has otherwise is looked up.
+    struct Selection {
         RequestServer::Client client = 0;
-        std::uint64_t last_id = 0;
-        std::string refused;
-        bool operation = false, login = false;
-        std::string text;        // of the answer so far
+        Who who;
+        std::vector<Command> commands;
+        std::optional<text::Job> job;
+        std::chrono::steady_clock::time_point until;   // a reset that was pressed just before has so long to be seen
+        bool sent = false;
     };
 
     const StartOptions& options_;
     LoadedMachine loaded_;
     text::BuilderMessages messages_;
     MachineConfig machine_;
+    std::shared_ptr<const MachineConfig> shared_machine_;   // for the workers
     RequestServer server_;
     std::unique_ptr<Controller> controller_;
     std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
     EventJoiner joiner_;
     Access access_;
-    std::uint64_t generation_ = new_generation(), asked_ = 0;
+    std::uint64_t generation_ = new_generation();
     std::deque<std::string> alarms_;  // event objects, the newest last
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started
-    std::deque<Waiting> waiting_;
+    StoreDesk desk_;
+    Workers workers_;
+    std::deque<Selection> selections_;
+    std::map<std::int64_t, RateLimit> logins_;   // by user of the computer: wrong ones cost
+    std::unique_ptr<UserTable> users_;           // as the store has them; read again when they have changed
+    std::unique_ptr<params::Table> parameters_;
+    std::uint64_t users_version_ = 0, parameters_version_ = 0;
+    bool more_events_ = false;
     StopWatch stops_;
     Screens screens_;
     std::deque<Stop> untold_stops_;   // the store does not take them now

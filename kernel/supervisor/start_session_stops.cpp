@@ -10,7 +10,7 @@ namespace polyturn::supervisor {
 namespace {
 
 constexpr auto kEvery = std::chrono::milliseconds(100);
-constexpr std::size_t kMostUntold = 1000, kAlarmsAtOnce = 8;
+constexpr std::size_t kMostUntold = 1000, kAlarmsAtOnce = 8, kMostUnderWay = 32;
 
 std::string utc_text(std::int64_t ms) {
     const auto seconds = static_cast<std::time_t>(ms / 1000);
@@ -53,12 +53,12 @@ void StartSession::watch_stops() {
 void StartSession::keep_stops(std::vector<Stop> stops) {
     for (Stop& one : stops) untold_stops_.push_back(std::move(one));
     while (untold_stops_.size() > kMostUntold) untold_stops_.pop_front();
-    while (!untold_stops_.empty() && controller_->running(kProcessStore)) {
+    while (!untold_stops_.empty() && controller_->running(kProcessStore) && desk_.waiting() < kMostUnderWay) {
         const Stop& one = untold_stops_.front();
         nlohmann::json op = {{"do", "stops.note"}, {"utc", utc_text(one.begin_ms)}, {"channel", one.channel}, {"cause", one.cause}, {"number", one.number},
                              {"detail", one.detail}, {"program", one.program}, {"line", one.line}};
         if (one.seconds >= 0) op["seconds"] = one.seconds;
-        serve_operation(0, op.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), false, Who{});
+        own_operation(op.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
         untold_stops_.pop_front();
     }
 }
@@ -66,10 +66,10 @@ void StartSession::keep_stops(std::vector<Stop> stops) {
 // Some at a time: a program that warns in a loop writes the disk ten times a second at the most, and of a flood the newest are kept.
 void StartSession::keep_alarms() {
     while (unkept_alarms_.size() > kMostUntold) unkept_alarms_.pop_front();
-    if (unkept_alarms_.empty() || !controller_->running(kProcessStore)) return;
+    if (unkept_alarms_.empty() || !controller_->running(kProcessStore) || desk_.waiting() >= kMostUnderWay) return;
     std::string events;
     for (std::size_t i = 0; i < kAlarmsAtOnce && !unkept_alarms_.empty(); ++i, unkept_alarms_.pop_front()) events += (events.empty() ? "" : ",") + unkept_alarms_.front();
-    serve_operation(0, R"({"do":"alarms.note","events":[)" + events + "]}", false, Who{});
+    own_operation(R"({"do":"alarms.note","events":[)" + events + "]}");
 }
 
 }  // namespace polyturn::supervisor

@@ -2,11 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/store_requests.hpp"
 #include "ipc/params/registry.hpp"
 #include "kernel/supervisor/refusal.hpp"
 #include "kernel/supervisor/start_session.hpp"
@@ -18,19 +16,33 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
+
+constexpr double kLogins_s = 1, kLoginsAtOnce = 10;   // wrong ones of one user of the computer: each costs the store a hash
+
+// A copy that is made anew only when the store has published another one.
+template <class Published, class Copy>
+const Copy* seen(const Published& published, std::unique_ptr<Copy>& copy, std::uint64_t& version) {
+    const std::uint64_t now = published.version();
+    if (copy && version == now) return copy.get();
+    if (!copy) copy = std::make_unique<Copy>();
+    if (!published.read(*copy)) return copy.reset(), nullptr;
+    version = now;
+    return copy.get();
+}
+
 }  // namespace
 
+const UserTable* StartSession::users() { return seen(controller_->store().users, users_, users_version_); }
+
 Who StartSession::who_asks(RequestServer::Client client, const std::string& token) {
-    const auto users = std::make_unique<UserTable>();
     const auto outputs = std::make_unique<PlcOutputs>();
-    if (!controller_->store().users.read(*users)) return {};
+    const UserTable* const table = users();
+    const params::Table* const parameters = seen(controller_->store().parameters, parameters_, parameters_version_);
+    if (!table) return {};
     int key = 0;
     if (controller_->kernel().plc_seen.read(*outputs)) key = outputs->signal[signals::plc_key()];
-    const auto table = std::make_unique<params::Table>();
-    UserLevel out = UserLevel::None;
-    if (controller_->store().parameters.read(*table)) out = static_cast<UserLevel>(params::get(*table, params::pt_level_out));
-    return access_.who({users.get(), key, out}, token, server_.uid_of(client), Clock::now());
+    const UserLevel out = parameters ? static_cast<UserLevel>(params::get(*parameters, params::pt_level_out)) : UserLevel::None;
+    return access_.who({table, key, out}, token, server_.uid_of(client), Clock::now());
 }
 
 bool StartSession::may(RequestServer::Client client, const Who& who, UserLevel least, const std::string& what) {
@@ -39,62 +51,57 @@ bool StartSession::may(RequestServer::Client client, const Who& who, UserLevel l
     return false;
 }
 
-bool StartSession::push_request(const StoreRequest& request) {
-    const auto until = Clock::now() + std::chrono::seconds(5);
-    while (!controller_->ask_store(request)) {   // the ring is full: let the store work
-        take_answers();
-        if (Clock::now() > until) return false;
-        sleep_ms(1);
-    }
-    ++asked_;
-    return true;
+StartSession::Taken StartSession::errand(RequestServer::Client client, Errand one, const Who& who) {
+    if (!controller_->running(kProcessStore)) return refuse(client, {Alarm::NotServed, {}, {}, "the store does not run"});
+    one.client = client;
+    one.uid = server_.uid_of(client);
+    if (client && !desk_.room(client >> 32, one.uid)) return Taken::Later;
+    one.level = who.level;
+    one.user = who.user;
+    desk_.add(std::move(one));
+    return Taken::Yes;
 }
 
-void StartSession::serve_operation(RequestServer::Client client, const std::string& operation, bool login, const Who& who) {
-    if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
-    for (std::size_t at = 0; at == 0 || at < operation.size(); at += kPiece) {
-        StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < operation.size() ? kMoreFollows : 0, 0.0);
-        request.level = static_cast<std::uint32_t>(who.level);
-        request.user = who.user;
-        put_name(request, std::string_view(operation).substr(at, kPiece));
-        if (!push_request(request)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
+StartSession::Taken StartSession::serve_operation(RequestServer::Client client, const Request& request, const Who& who) {
+    const std::string& name = request.operation;
+    if (name == "stops.note" || name == "alarms.note") return refuse(client, {Alarm::PressUnknown, {}, {}, name});   // only from here
+    Errand one;
+    one.operation = request.operation_text;
+    one.login = name == "users.login";
+    one.hashes = one.login || name == "users.password";
+    one.patience = patience_of(name);
+    if (one.hashes) {
+        // One hash at a time, and who is wrong again and again waits for his next one, he alone.
+        if (desk_.logging_in()) return Taken::Later;
+        if (!logins_.try_emplace(server_.uid_of(client), RateLimit{kLogins_s, kLoginsAtOnce}).first->second.take(Clock::now())) return Taken::Later;
     }
-    waiting_.push_back({client, asked_, {}, true, login, {}});
+    return errand(client, std::move(one), who);
 }
 
-// Passwords do not stay in shared memory: what the store has taken is overwritten.
-void StartSession::forget_requests() {
-    auto& ring = controller_->own().requests;
-    const auto head = ring.head.load(std::memory_order_relaxed), tail = controller_->store().request_tail.tail.load(std::memory_order_acquire);
-    for (auto i = head > ring.capacity ? head - ring.capacity : 0; i < tail; ++i) ring.slot(i).name.fill(0);
+void StartSession::own_operation(std::string text) {
+    Errand one;
+    one.operation = std::move(text);
+    (void)errand(0, std::move(one), Who{});
 }
 
-void StartSession::take_answers() {
-    StoreAnswer answer;
-    while (controller_->next_answer(answer)) {
-        if (waiting_.empty()) continue;
-        Waiting& first = waiting_.front();
-        if (first.operation) {
-            if (answer.id != first.last_id) continue;
-            first.text += answer.text.data();
-            if (answer.more) continue;
-            forget_requests();
-            if (first.login) {
-                Json told = Json::parse(first.text, nullptr, false);
-                if (!told.is_discarded() && told.value("ok", false) && told.contains("user")) {
-                    told["token"] = access_.open(told.value("user", 0u), static_cast<UserLevel>(told.value("level", 0)), told.value("name", ""), told.value("logout_min", 0.0), Clock::now());
-                    first.text = told.dump();
-                }
-            }
-            server_.answer(first.client, first.text);
-            waiting_.pop_front();
-            continue;
-        }
-        if (!answer.ok && first.refused.empty()) first.refused = answer.text.data();
-        if (answer.id < first.last_id) continue;
-        server_.answer(first.client, first.refused.empty() ? std::string("{\"ok\":true}") : refusal({Alarm::NotServed, {}, {}, first.refused}));
-        waiting_.pop_front();
+void StartSession::told_by_store(const Errand& errand, StoreDesk::End end, const std::string& text) {
+    switch (end) {
+        case StoreDesk::End::Late: return server_.answer(errand.client, refusal({Alarm::NotServed, {}, {}, "the store does not answer; what was asked may still be done"}));
+        case StoreDesk::End::Died: return server_.answer(errand.client, refusal({Alarm::NotServed, {}, {}, "the store has died; look whether what was asked was done"}));
+        case StoreDesk::End::Refused: return server_.answer(errand.client, refusal({Alarm::NotServed, {}, {}, text}));
+        case StoreDesk::End::Answered: break;
     }
+    if (errand.operation.empty()) return server_.answer(errand.client, R"({"ok":true})");
+    if (!errand.hashes) return server_.answer(errand.client, text);
+    Json told = Json::parse(text, nullptr, false);
+    const auto number = [&](const char* key) { return told.contains(key) && told[key].is_number() ? told[key].get<double>() : 0.0; };
+    const bool good = told.is_object() && told.contains("ok") && told["ok"].is_boolean() && told["ok"].get<bool>();
+    if (good)
+        if (const auto limit = logins_.find(errand.uid); limit != logins_.end()) limit->second.give_back();
+    if (!good || !errand.login || !told.contains("user")) return server_.answer(errand.client, text);
+    const std::string name = told.contains("name") && told["name"].is_string() ? told["name"].get<std::string>() : std::string();
+    told["token"] = access_.open(static_cast<std::uint32_t>(number("user")), static_cast<UserLevel>(static_cast<std::uint32_t>(number("level"))), name, number("logout_min"), Clock::now());
+    server_.answer(errand.client, told.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace polyturn::supervisor

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::string_view kTables[] = {"geometry", "wear", "second"};   // order of OffsetTable
 constexpr std::string_view kFields = "XYZRT";                            // order of OffsetField
+constexpr double kLargest = 100'000;                                     // mm or degrees: longer than any lathe
 constexpr std::string_view kShape = "offset L1 3 wear X=0.05 or zero L1 G54 Z=-150";
 
 std::vector<std::string_view> split(std::string_view words) {
@@ -41,6 +42,7 @@ std::string_view text_of(const Command& c) { return {c.text.data(), ::strnlen(c.
 Result<Command> parse_store_value(std::string_view name, std::string_view value, const MachineConfig& machine) {
     const auto parts = split(name);
     const auto number = number_of(value);
+    if (number && std::abs(*number) > kLargest) return wrong(fmt::format("{}={}: out of range (at most {:g})", name, value, kLargest));
     if (parts.size() < 4 || !number) return wrong(fmt::format("'{}={}' is not of the form: {}", name, value, kShape));
     Command command{};
     command.kind = static_cast<std::uint32_t>(CommandKind::StoreValue);

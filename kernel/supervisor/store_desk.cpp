@@ -1,0 +1,145 @@
+#include "kernel/supervisor/store_desk.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ipc/machine/store_requests.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
+constexpr unsigned kLineBits = 32;   // of RequestServer::Client
+}  // namespace
+
+std::chrono::seconds patience_of(std::string_view operation) {
+    for (const std::string_view head : {"backup.", "restore.", "history.", "alarms.", "stops.", "users."})   // users: a hash takes its time, and others may come first
+        if (operation.starts_with(head)) return StoreDesk::kLongPatience;
+    return operation.ends_with(".import") || operation.ends_with(".export") ? StoreDesk::kLongPatience : StoreDesk::kPatience;
+}
+
+bool StoreDesk::room(std::uint64_t connection, std::int64_t uid) const {
+    std::size_t all = 0, his = 0, here = 0;
+    for (const Open& open : errands_) {
+        if (open.errand.client == 0 || open.told) continue;
+        ++all;
+        his += open.errand.uid == uid;
+        here += open.errand.client >> kLineBits == connection;
+    }
+    return all < kMostOutstanding && his < kOfOneUser && here < kOfOneClient;
+}
+
+bool StoreDesk::logging_in() const {
+    return std::any_of(errands_.begin(), errands_.end(), [](const Open& open) { return open.errand.hashes; });
+}
+
+void StoreDesk::add(Errand errand) {
+    Open open;
+    open.until = errand.client == 0 ? Clock::time_point::max() : Clock::now() + errand.patience;
+    open.errand = std::move(errand);
+    errands_.push_back(std::move(open));
+}
+
+void StoreDesk::tell(Open& open, End end, const std::string& text, const Told& told) {
+    if (!open.told) told(open.errand, end, text);
+    open.told = true;
+}
+
+bool StoreDesk::send(Controller& controller, Open& open) {
+    const Errand& errand = open.errand;
+    while (!open.all_sent()) {
+        StoreRequest request{};
+        bool last = true;
+        if (!errand.lines.empty()) {
+            last = open.sent + 1 == errand.lines.size();
+            request = parameter_request(errand.lines[open.sent], !last);
+        } else if (errand.operation.empty()) {
+            request = errand.value;
+        } else {
+            const std::size_t next = std::min(open.sent + kPiece, errand.operation.size());
+            last = next == errand.operation.size();
+            request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(open.sent), last ? 0 : kMoreFollows, 0.0);
+            put_name(request, std::string_view(errand.operation).substr(open.sent, kPiece));
+        }
+        request.level = static_cast<std::uint32_t>(errand.level);
+        request.user = errand.user;
+        if (!controller.ask_store(request)) return false;
+        open.sent += errand.operation.empty() ? 1 : kPiece;
+        if (open.first_id == 0) open.first_id = controller.asked();
+        if (last) open.last_id = controller.asked();
+    }
+    return true;
+}
+
+void StoreDesk::take(Controller& controller, const Told& told) {
+    StoreAnswer answer;
+    while (controller.next_answer(answer)) {
+        // Answers come in the order of what was asked.
+        while (!errands_.empty() && errands_.front().all_sent() && errands_.front().last_id < answer.id) {
+            tell(errands_.front(), End::Died, {}, told);
+            errands_.pop_front();
+        }
+        if (errands_.empty() || errands_.front().first_id == 0 || answer.id < errands_.front().first_id) continue;
+        Open& first = errands_.front();
+        if (first.errand.operation.empty()) {
+            if (!answer.ok && first.refused.empty()) first.refused = answer.text.data();
+            if (answer.id != first.last_id) continue;
+            tell(first, first.refused.empty() ? End::Answered : End::Refused, first.refused, told);
+        } else {
+            if (answer.id != first.last_id) continue;
+            first.text += answer.text.data();
+            if (answer.more) continue;
+            controller.forget_taken_requests();
+            tell(first, End::Answered, first.text, told);
+        }
+        errands_.pop_front();
+    }
+}
+
+void StoreDesk::move(Controller& controller, Clock::time_point now, const Told& told) {
+    take(controller, told);
+    for (Open& open : errands_)
+        if (!open.told && now >= open.until) tell(open, End::Late, {}, told);
+    // What has not begun need not be done any more. What has begun and cannot go on is broken off where the store sees it: the next
+    // operation begins at 0, and lines of an import do not mix with those of the next one.
+    for (auto at = errands_.begin(); at != errands_.end();) {
+        if (!at->told || at->all_sent()) {
+            ++at;
+            continue;
+        }
+        if (at->first_id != 0) {
+            const StoreRequest off = store_request(StoreRequestKind::Operation, 0, std::numeric_limits<std::int32_t>::max(), kMoreFollows, 0.0);
+            if (!controller.ask_store(off)) break;
+        }
+        at = errands_.erase(at);
+    }
+    for (Open& open : errands_)
+        if (!open.all_sent() && (open.told || !send(controller, open))) break;
+}
+
+void StoreDesk::store_died(Controller& controller, const Told& told) {
+    take(controller, told);   // its last words
+    controller.forget_requests();
+    std::deque<Open> again;
+    bool first = true;
+    for (Open& open : errands_) {
+        const bool may_go_again = open.errand.client == 0 && !(first && open.first_id != 0);
+        first = false;
+        if (may_go_again) {
+            Open fresh;
+            fresh.errand = std::move(open.errand);
+            fresh.until = open.until;
+            again.push_back(std::move(fresh));
+        } else {
+            tell(open, End::Died, {}, told);
+        }
+    }
+    errands_ = std::move(again);
+}
+
+void StoreDesk::forget_all(const Told& told) {
+    for (Open& open : errands_) tell(open, End::Died, {}, told);
+    errands_.clear();
+}
+
+}  // namespace polyturn::supervisor
