@@ -3,11 +3,15 @@
 #include <cctype>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <iostream>
-#include <iterator>
+
+#include "ipc/text/regular_file.hpp"
 
 namespace polyturn::presetter {
+
+namespace {
+constexpr std::size_t kLargestPicture = std::size_t{256} << 20;   // bytes; a camera of 100 megapixels in grey has 100 MB
+}
 namespace {
 
 Diagnosis bad(std::string why) { return Diagnosis{Alarm::PresetterImage, {}, {}, std::move(why)}; }
@@ -85,15 +89,18 @@ Result<ShadowImage> parse_image(const std::string& bytes) {
 }
 
 Result<ShadowImage> read_image(const std::string& path) {
-    std::string bytes;
     if (path == "-") {
-        bytes.assign(std::istreambuf_iterator<char>(std::cin), {});
-    } else {
-        std::ifstream file(path, std::ios::binary);
-        if (!file) return Diagnosis{Alarm::FileUnreadable, {path, 0, 0, 0}, {}, path};
-        bytes.assign(std::istreambuf_iterator<char>(file), {});
+        std::string bytes;
+        for (int c = std::cin.get(); c != std::istream::traits_type::eof(); c = std::cin.get()) {
+            if (bytes.size() == kLargestPicture) return Diagnosis{Alarm::FileTooLarge, {path, 0, 0, 0}, {}, path};
+            bytes.push_back(static_cast<char>(c));
+        }
+        return parse_image(bytes);
     }
-    return parse_image(bytes);
+    const auto file = text::RegularFile::open(path, kLargestPicture);
+    if (!file) return file.diagnosis();
+    const auto bytes = file->read_all();
+    return bytes ? parse_image(*bytes) : Result<ShadowImage>(bytes.diagnosis());
 }
 
 }  // namespace polyturn::presetter
