@@ -10,12 +10,14 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/upright.hpp"
+#include "ipc/machine/start_words.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr auto kPlacesSpan = KeptPieces::Span::Lasting;   // a power failure in the middle of a part is just when it is wanted
 constexpr qint64 kPlacesMs = 1'000, kPlacesRunningMs = 10'000;
+constexpr qint64 kSearchBeginsMs = 2'000;   // who has not begun by then was refused at once
 
 enum Column { kChannel, kProgram, kStood, kTool, kWanted };
 
@@ -108,7 +110,29 @@ bool RestartPage::bringBack() {
     return true;
 }
 
+// What has become of the search is told by what the channels are: it is theirs to find the blocks, and one that does not takes all back.
+void RestartPage::followSearch() {
+    if (!searched_) return;
+    bool all = true, over = QDateTime::currentMSecsSinceEpoch() - searchedAt_ > kSearchBeginsMs && !seen_, started = false;
+    for (unsigned channel = 1; channel <= kMaxChannels; ++channel) {
+        const std::uint32_t bit = 1u << (channel - 1);
+        if (!(searched_ & bit)) continue;
+        const ChannelStatus& status = desk_.live.channel(channel);
+        const auto now = static_cast<RestartState>(status.restart);
+        const auto state = static_cast<ChannelState>(status.state);
+        const bool lacks = (status.start_missing & start_bit("restart")) != 0;
+        if (now != RestartState::None) seen_ |= bit;
+        all &= now == RestartState::AtBlock && !lacks;
+        started |= (seen_ & bit) && now == RestartState::None && (state == ChannelState::Running || state == ChannelState::Waiting);
+        over |= now == RestartState::None && (lacks || (seen_ & bit));
+    }
+    if (started) searched_ = 0;   // its approach: who looks on sees it
+    else if (all) searched_ = 0, desk_.tell(word("All are at their blocks: start makes the approach"), Told::Good);
+    else if (over) searched_ = 0, desk_.tell(word("The restart was refused, nothing has moved: see the alarms"), Told::Refused);
+}
+
 void RestartPage::follow() {
+    followSearch();
     if (!bringBack()) return;
     bool runs = false;
     for (const unsigned channel : desk_.live.channels()) {
@@ -161,8 +185,12 @@ void RestartPage::restart() {
         if (at(channel).wanted >= 0) words << QString("L%1=N%2").arg(channel).arg(at(channel).wanted);
     if (words.isEmpty()) return;
     desk_.requests.press("restart " + words.join(' '), [this](const Answer& answer) {
-        if (answer.ok) desk_.tell(word("It reads to the block: start shows what comes"), Told::Good);
+        if (answer.ok) desk_.tell(word("The blocks are searched: nothing moves"), Told::Note);
     });
+    searched_ = seen_ = 0;
+    for (const unsigned channel : desk_.live.channels())
+        if (at(channel).wanted >= 0) searched_ |= 1u << (channel - 1);
+    searchedAt_ = QDateTime::currentMSecsSinceEpoch();
 }
 
 void RestartPage::resizeEvent(QResizeEvent*) {

@@ -46,6 +46,7 @@ private:
     Stood& at(unsigned channel) { return stood_[channel - 1]; }
     const Stood& at(unsigned channel) const { return stood_[channel - 1]; }
     void restart();
+    void followSearch();
     std::optional<unsigned> chosen() const;
 
     Desk& desk_;
@@ -54,6 +55,9 @@ private:
     NumberPad* pad_;
     ProgramText texts_;
     std::array<Stood, kMaxChannels> stood_{};
+    // A restart whose outcome has not been told: its channels (bit 0 is channel 1), who of them was seen to search, since when.
+    std::uint32_t searched_ = 0, seen_ = 0;
+    qint64 searchedAt_ = 0;
     bool back_ = false;            // what was kept has been read
     QByteArray kept_;
     qint64 keepAt_ = 0;

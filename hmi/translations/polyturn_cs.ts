@@ -404,6 +404,11 @@
         <translation>Alarmy</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All are at their blocks: start makes the approach</source>
+        <translation>Všechny jsou u svých bloků: start zahájí nájezd</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Pojedou všechny osy: stiskněte znovu</translation>
@@ -1977,11 +1982,6 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>It is the gauge pin: press again</source>
         <translation>Je to kolík: ještě jednou</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It reads to the block: start shows what comes</source>
-        <translation>Čte se k bloku: start ukáže, co přijde</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -4204,6 +4204,11 @@
         <translation>Program běží, osy stojí: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The blocks are searched: nothing moves</source>
+        <translation>Bloky se hledají: nic se nepohybuje</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Obrys je úplný.</translation>
@@ -4352,6 +4357,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Relativní počítadlo L%1 začíná zde</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The restart was refused, nothing has moved: see the alarms</source>
+        <translation>Start od bloku byl odmítnut, nic se nepohnulo: viz alarmy</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5659,7 +5669,7 @@
         <translation>není zvolen žádný program</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>bez ref.</translation>
     </message>
@@ -5687,6 +5697,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>osy nemají referenci</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>ne všechny kanály startu od bloku jsou u svých bloků</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -6119,7 +6134,7 @@
         <translation>soustružnický vrták</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>otáčí se jako vřeteno S%1</translation>
     </message>
@@ -6157,6 +6172,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>počkejte</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>počkejte na ně; byl-li odmítnut, začněte znovu nebo reset</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -404,6 +404,11 @@
         <translation>Riasztások</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All are at their blocks: start makes the approach</source>
+        <translation>Mind a mondatánál áll: a start megközelíti</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Minden tengely mozog: nyomja meg újra</translation>
@@ -1977,11 +1982,6 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>It is the gauge pin: press again</source>
         <translation>Ez a mérőcsap: még egyszer</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It reads to the block: start shows what comes</source>
-        <translation>A mondatig olvas: az indítás mutatja, mi jön</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -4204,6 +4204,11 @@
         <translation>A program fut, a tengelyek állnak: újra</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The blocks are searched: nothing moves</source>
+        <translation>A mondatok keresése folyik: semmi sem mozog</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>A kontúr teljes.</translation>
@@ -4352,6 +4357,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>L%1 relatív számlálója innen indul</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The restart was refused, nothing has moved: see the alarms</source>
+        <translation>Az újraindítást elutasította, semmi sem mozdult: lásd a hibákat</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5659,7 +5669,7 @@
         <translation>nincs kiválasztott program</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>nincs ref.</translation>
     </message>
@@ -5687,6 +5697,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>nincs minden referencia</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>az újraindítás nem minden csatornája áll a mondatánál</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -6119,7 +6134,7 @@
         <translation>esztergafúró</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>S%1 orsóként forog</translation>
     </message>
@@ -6157,6 +6172,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>várjon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>várjon rájuk; ha elutasította, indítsa újra vagy reset</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -404,6 +404,11 @@
         <translation>Аварии</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All are at their blocks: start makes the approach</source>
+        <translation>Все у своих кадров: пуск начнёт подход</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Все оси поедут: нажмите ещё раз</translation>
@@ -1977,11 +1982,6 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>It is the gauge pin: press again</source>
         <translation>Это калибр: ещё раз</translation>
-    </message>
-    <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>It reads to the block: start shows what comes</source>
-        <translation>Чтение до кадра: пуск покажет, что будет</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -4204,6 +4204,11 @@
         <translation>Программа идёт, оси стоят: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The blocks are searched: nothing moves</source>
+        <translation>Идёт поиск кадров: ничего не движется</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Контур определён полностью.</translation>
@@ -4352,6 +4357,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Относительный счётчик L%1 начинается здесь</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The restart was refused, nothing has moved: see the alarms</source>
+        <translation>Пуск с кадра отклонён, ничего не сдвинулось: см. аварии</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -5659,7 +5669,7 @@
         <translation>программа не выбрана</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>нет реф.</translation>
     </message>
@@ -5687,6 +5697,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>не все оси в реф. точке</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>не все каналы пуска с кадра стоят у своих кадров</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -6119,7 +6134,7 @@
         <translation>токарное сверло</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>вращается как шпиндель S%1</translation>
     </message>
@@ -6157,6 +6172,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>подождите</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>подождите их; если он отклонён, пустите снова или сбросьте</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -75,6 +75,16 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"reading failed", "чтение прервалось", "čtení se nezdařilo", "az olvasás nem sikerült"}},
     {{"it is larger than {0} MB", "он больше {0} МБ", "je větší než {0} MB", "nagyobb, mint {0} MB"}},
     {{"a zero byte at offset {0}", "нулевой байт на месте {0}", "nulový bajt na místě {0}", "nulla bájt a(z) {0}. helyen"}},
+    // restarts of several channels, meetings that are none (kernel/cyclic/restarts.cpp, channel_commands.cpp)
+    {{"L{0} was reset ({1})", "L{0} сброшен ({1})", "L{0} byl resetován ({1})", "L{0} resetelve lett ({1})"}},
+    {{"L{0} has an alarm ({1})", "в L{0} авария ({1})", "L{0} má alarm ({1})", "L{0} hibában van ({1})"}},
+    {{"L{0} has lost its process ({1})", "процесс L{0} прекратился ({1})", "L{0} ztratil svůj proces ({1})", "L{0} folyamata megszűnt ({1})"}},
+    {{"L{0} has come to the end of its program ({1})", "L{0} дошёл до конца программы ({1})", "L{0} došel na konec programu ({1})", "L{0} a programja végére ért ({1})"}},
+    {{"L{0} was never asked to ({1})", "L{0} не получил команды ({1})", "L{0} nedostal povel ({1})", "L{0} nem kapott parancsot ({1})"}},
+    {{"L{0} cannot begin ({1})", "L{0} не может начать ({1})", "L{0} nemůže začít ({1})", "L{0} nem kezdheti el ({1})"}},
+    {{"{0}, one of the two is in dry run", "{0}, один из двух в пробном прогоне", "{0}, jeden z obou má chod naprázdno", "{0}, a kettő közül az egyik próbafutásban van"}},
+    {{"{0}, one of the two is there by a block entered by hand", "{0}, один из двух стоит там по кадру, введённому вручную", "{0}, jeden z obou tam je blokem zadaným ručně", "{0}, a kettő közül az egyik kézzel bevitt mondattal van ott"}},
+    {{"{0}, one of the two restarts", "{0}, один из двух пускается с кадра", "{0}, jeden z obou začíná od bloku", "{0}, a kettő közül az egyik újraindul"}},
     // what the computer says of its date, its network, its keyboard (timedatectl, nmcli, localectl)
     {{"Access denied", "нет прав", "přístup odepřen", "hozzáférés megtagadva"}},
     {{"Interactive authentication required.", "нужны права администратора компьютера", "jsou třeba práva správce počítače", "a számítógép rendszergazdájának joga kell"}},

@@ -13,7 +13,7 @@ struct StartWords {
     std::string_view remedy;
 };
 
-inline constexpr std::array<StartWords, 20> kStartWords{{
+inline constexpr std::array<StartWords, 21> kStartWords{{
     {"process", "the channel's process is not there", "wait until it is started again, then reset"},
     {"emergency_stop", "the emergency stop is active", "release it and switch the machine on"},
     {"machine_on", "the machine is not switched on", "switch it on"},
@@ -34,6 +34,7 @@ inline constexpr std::array<StartWords, 20> kStartWords{{
     {"referenced", "not referenced", "reference it"},
     {"program", "no program is selected", "select one on the page of programs"},
     {"block", "no block is entered", "enter one, or choose auto"},
+    {"restart", "not all channels of the restart are at their blocks", "wait for them; if it was refused, restart again or reset"},
 }};
 
 // The bit of a row in ChannelStatus::start_missing.

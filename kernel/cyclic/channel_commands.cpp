@@ -8,6 +8,16 @@
 
 namespace polyturn::kernel {
 
+namespace {
+// Both are there, and yet it is no meeting.
+std::string_view why_unlike(WaitBoard::Kind one, WaitBoard::Kind other) noexcept {
+    using Kind = WaitBoard::Kind;
+    if (one == Kind::Search || other == Kind::Search) return ", one of the two restarts";
+    if (one == Kind::ByHand || other == Kind::ByHand) return ", one of the two is there by a block entered by hand";
+    return ", one of the two is in dry run";
+}
+}  // namespace
+
 void ChannelRunner::stand(ChannelState state, StopReason reason) noexcept {
     state_ = state;
     stop_reason_ = reason;
@@ -35,6 +45,8 @@ StartView ChannelRunner::start_view() const noexcept {
     view.by_hand_mode = mode_ == ChannelMode::Jog || mode_ == ChannelMode::Handwheel || mode_ == ChannelMode::Reference;
     view.away = jog_in_hold_ && !goes_on_away();
     const bool begins = state_ == ChannelState::Reset || state_ == ChannelState::Ended;
+    const bool at_block = state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Restart;
+    view.others_search = begins ? restart_refused_ && mode_ == ChannelMode::Auto : at_block && (restart_refused_ || !restart_complete_);
     view.lacks_program = begins && mode_ == ChannelMode::Auto && !selected_;
     view.lacks_block = begins && mode_ == ChannelMode::Mdi && mdi_[0] == 0;   // the selected program is not what an operator in this mode means
     return view;
@@ -53,7 +65,7 @@ void ChannelRunner::cycle_start() noexcept {
         return;
     }
     take_keys();   // machine lock of this very tick: it counts before the program runs, or not at all
-    if (resetting_ && at_rest()) finish_reset();   // a reset of this very tick, on a computer that is late: it comes first, as it was pressed
+    if (resetting_ && at_rest() && !restart_refused_) finish_reset();   // a reset of this very tick, on a computer that is late: it comes first, as it was pressed
     if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return;
@@ -78,7 +90,7 @@ void ChannelRunner::cycle_start() noexcept {
             }
             if (trail_.active() || retrace_ < 0) (void)start_retrace();
             else if (!ready_to_go_on()) return;
-            restart_ = RestartState::None;
+            if (stop_reason_ == StopReason::Restart) core_.waits.take_search(index_), restart_ = RestartState::None;
             hold_ = false;
             continue_ = phase_ == Phase::Stopped;
             if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
@@ -111,6 +123,8 @@ void ChannelRunner::dialogue_key(double key) noexcept {
 
 void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept {
     know_positions();
+    ++run_;
+    cut_off_ = false;
     state_ = ChannelState::Running;
     stop_reason_ = StopReason::None;
     hold_ = hold_later_ = change_due_ = group_ended_ = false;
@@ -126,21 +140,39 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     tell(how, record, value, text);
 }
 
-void ChannelRunner::restart(double block, ChannelSet together) noexcept {
+bool ChannelRunner::restart(double block, ChannelSet together, std::uint32_t group) noexcept {
     if (state_ != ChannelState::Reset && state_ != ChannelState::Ended) {
         core_.alarm(Alarm::NotReady, number_, "a program is restarted at a block only in reset or after the end");
-        return;
+        return false;
     }
     StartView view = start_view();   // of the selected program, whatever the mode is now
-    view.by_hand_mode = view.lacks_block = false;
+    view.by_hand_mode = view.lacks_block = view.others_search = false;
     view.lacks_program = !selected_;
     if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
-        return;
+        return false;
     }
     mode_ = ChannelMode::Auto;
     restart_ = RestartState::Searching;
+    restart_group_ = group;
+    restart_complete_ = restart_refused_ = false;
+    core_.waits.begin_search(index_);
     begin_program(ChannelEventKind::Restart, block, together | ChannelSet{1} << index_, {});
+    return true;
+}
+
+void ChannelRunner::end_restart() noexcept {
+    reset();
+    restart_refused_ = !dead_;
+}
+
+RestartFate ChannelRunner::restart_fate() const noexcept {
+    using Fate = RestartFate;
+    if (!segment_ || dead_) return Fate::Dead;
+    if (resetting_ || state_ == ChannelState::Reset) return Fate::Reset;
+    if (interrupted_) return Fate::Alarm;
+    if (!program_runs()) return Fate::Ended;
+    return restart_ == RestartState::Searching ? Fate::Searching : restart_ == RestartState::AtBlock ? Fate::AtBlock : Fate::Started;
 }
 
 bool ChannelRunner::allow_jog_in_hold() noexcept {
@@ -167,6 +199,7 @@ void ChannelRunner::safe_hold() noexcept {
 
 void ChannelRunner::reset() noexcept {
     if (!segment_) return;
+    cut_off_ = restart_refused_ = false;
     if (dead_ || stopped_) {  // nothing to tell anybody; a successor attaches in reset state
         alarm_ = false;
         return;
@@ -180,6 +213,7 @@ void ChannelRunner::finish_reset() noexcept {
     core_.tools.forget(index_);
     core_.tools.end_search(index_);
     core_.waits.leave(index_);
+    ++run_;
     const bool ran = program_runs() || state_ == ChannelState::Interrupted;
     const std::uint64_t not_begun = first_not_begun();
     ++epoch_;
@@ -188,7 +222,8 @@ void ChannelRunner::finish_reset() noexcept {
     plan_anew(cursor_);
     step_ = {};
     step_.record = cursor_;
-    flying_ = early_ = kNoRecord;
+    flying_ = let_pass_ = early_ = kNoRecord;
+    owes_meeting_ = false;
     cut_ = {};
     phase_ = Phase::None;
     at_boundary_ = true;
@@ -233,6 +268,7 @@ void ChannelRunner::select(std::string_view file, double language) noexcept {
     cycles_ = 0;
     cycles_s_ = last_cycle_s_ = 0;
     selected_ = !file.empty();
+    restart_refused_ = false;
     broken_off_ = 0;
     job_language_ = static_cast<Dialect>(language);
     tell(ChannelEventKind::SelectProgram, cursor_, language, file);
@@ -276,8 +312,10 @@ void ChannelRunner::process_died(Alarm reason) noexcept {
     alarm_ = true;
     control_ = 0;   // what its program has put off, nobody would put on again: a spindle that still turns obeys the override
     rest_reported_ = false;
-    if (phase_ == Phase::Waiting) core_.waits.leave(index_);
+    core_.waits.leave(index_);
+    ++run_;
     const bool ran = program_runs();
+    cut_off_ = cut_off_ || ran || state_ == ChannelState::Interrupted;
     state_ = ChannelState::Dead;
     stop_reason_ = StopReason::Death;
     core_.alarm(reason, number_, name_of('L', index_).view(), 0, line_);
@@ -302,20 +340,30 @@ void ChannelRunner::emergency() noexcept {
 void ChannelRunner::release_wait() noexcept {
     if (passing_) trail_.met(core_.meetings);
     passing_ = false;
+    if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;
+    if (std::exchange(owes_meeting_, false)) return trail_.met(core_.meetings);
     if (phase_ != Phase::Waiting) return;
     meeting_ = core_.meetings;
     released_ = true;
-    if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;
+}
+
+WaitBoard::Standing ChannelRunner::standing() const noexcept {
+    const bool over = state_ == ChannelState::Reset || state_ == ChannelState::Ended;
+    return {run_, program_runs() && !interrupted_ && !dead_ && !resetting_, (keys & kKeyDryRun) != 0, over && !cut_off_};
+}
+
+// What leads it to its codes: a search of a restart and a block entered by hand meet nobody who cuts.
+WaitBoard::Phase ChannelRunner::wait_phase() const noexcept {
+    if (restart_ == RestartState::Searching) return {WaitBoard::Kind::Search, restart_group_};
+    return {mode_ == ChannelMode::Mdi || held_mdi_ ? WaitBoard::Kind::ByHand : WaitBoard::Kind::Cut, 0};
 }
 
 // Of those that still wait when all meetings of this tick have taken place.
 void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
-    if (passing_) {  // its partner left between letting it pass and its coming: it counts as met
-        passing_ = false;
-        core_.waits.leave(index_);
-        return;
-    }
-    if (phase_ != Phase::Waiting || released_ || interrupted_) return;
+    // Its partner has stopped between letting it pass and its coming: it stands as soon as it can, and waits there.
+    if (std::exchange(passing_, false)) owes_meeting_ = true, wait_since_ = core_.tick, warned_ = 0, judged_ = false;
+    if (owes_meeting_ && state_ == ChannelState::Running && at_rest() && !hold_ && !interrupted_) state_ = ChannelState::Waiting;
+    if ((phase_ != Phase::Waiting && !owes_meeting_) || released_ || interrupted_ || resetting_) return;
     if (!judged_) {
         judged_ = true;
         const auto verdict = core_.waits.judge(index_, core_.no_wait());
@@ -328,7 +376,7 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
             return;
         }
     }
-    const ChannelSet missing = core_.waits.missing(index_, core_.no_wait());
+    const ChannelSet missing = core_.waits.missing(index_, core_.no_wait()), unlike = core_.waits.unlike(index_, core_.no_wait());
     for (unsigned k = 0; k < kMaxChannels; ++k) {
         const ChannelSet bit = ChannelSet{1} << k;
         if (!(missing & bit)) continue;
@@ -339,7 +387,7 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
             raise(Alarm::RestartMismatch, text.view());
             return;
         }
-        if (all[k]->program_runs()) {
+        if (all[k]->program_runs() && !(unlike & bit)) {
             warned_ &= ~bit;
             continue;
         }
@@ -349,6 +397,7 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
         text << "L" << k + 1 << " (";
         write_code(text);
         text << ")";
+        if (unlike & bit) text << why_unlike(core_.waits.phase(index_).kind, core_.waits.phase(k).kind);
         core_.alarm(Alarm::WaitPartnerAbsent, number_, text.view(), 0, line_);
     }
     const double limit = core_.config.channels[index_].wait_timeout_s;

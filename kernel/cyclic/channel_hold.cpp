@@ -29,7 +29,7 @@ std::uint64_t ChannelRunner::first_not_begun() const noexcept {
 
 // At a place where what was pushed may be taken back: no function, wait or thread is under way.
 bool ChannelRunner::rests_in_hold() const noexcept {
-    if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || !at_rest() || retract_.active() || trail_.active()) return false;
+    if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || owes_meeting_ || !at_rest() || retract_.active() || trail_.active()) return false;
     const bool held = state_ == ChannelState::Held || (state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::SingleBlock);
     return (held ? phase_ == Phase::None || phase_ == Phase::Dwell : stands_at_late_stop()) && (program_left_ || place_now().serial != 0);
 }
@@ -100,7 +100,7 @@ void ChannelRunner::discard() noexcept {
     plan_anew(cursor_);
     step_ = {};
     step_.record = cursor_;
-    flying_ = early_ = kNoRecord;
+    flying_ = let_pass_ = early_ = kNoRecord;
     beside_program_.close();
     core_.tools.forget(index_);   // a T that was asked about in front of its place may be another one now
     phase_ = Phase::None;

@@ -87,7 +87,7 @@ bool ChannelRunner::obey_ahead() noexcept {
 
 // The path rests: is this a place where the program may break off?
 bool ChannelRunner::stands_for_interrupt() noexcept {
-    if (state_ != ChannelState::Running || hold_ || interrupted_ || dead_ || stopped_ || !obey_ahead()) return false;
+    if (state_ != ChannelState::Running || hold_ || interrupted_ || dead_ || stopped_ || owes_meeting_ || !obey_ahead()) return false;
     const bool dwells = phase_ == Phase::Dwell;
     if (phase_ != Phase::None && !dwells) return false;   // a function or a wait is finished first
     if (!(interrupt_bits_ & kInterruptAtBlockEnd)) return true;

@@ -30,7 +30,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         if (!begun_) {
             // A new step needs a running program; one that has begun is brought to its end in a hold too.
             if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop) return;
-            if ((wheel_ && wheel_rate_ <= 0) || stops_for_tool(r)) return;
+            if ((wheel_ && wheel_rate_ <= 0) || stops_for_tool(r) || owes_meeting_) return;
             if (interrupt_due_ && (!(interrupt_bits_ & kInterruptAtBlockEnd) || r.serial != last_serial_)) return;
             line_ = r.line;
             block_ = r.block;
@@ -58,7 +58,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         phase_ = Phase::None;
         at_boundary_ = true;
         finished(r, index, (1.0 - left) * core_.config.tick_s);
-        if ((keys & kKeySingleBlock) && block_ends_at(index) && state_ == ChannelState::Running) {
+        if ((keys & kKeySingleBlock) && block_ends_at(index) && state_ == ChannelState::Running && restart_ != RestartState::Searching) {   // a search moves nothing
             stand(ChannelState::ProgramStop, StopReason::SingleBlock);
             return;
         }
@@ -138,9 +138,12 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
         case RecordKind::Beside:
             begin_beside(r);
             return true;
-        case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
+        case RecordKind::Marker:
+            if (restart_ == RestartState::Searching) core_.waits.mark_in_search(index_, r.code, r.value != 0.0);
+            else core_.waits.mark(index_, r.code, r.value != 0.0);
+            return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
-            core_.waits.arrive(index_, r.code, r.mask);
+            core_.waits.arrive(index_, r.code, r.mask, run_, wait_phase());
             passing_ = true;
             return true;
         default: return true;
@@ -184,7 +187,7 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
 
 // First-part mode: the operator looks at each tool before it comes.
 bool ChannelRunner::stops_for_tool(const PathRecord& r) noexcept {
-    if (!(keys & kKeyFirstPart) || static_cast<RecordKind>(r.kind) != RecordKind::Aux || r.code != 'T' || tool_shown_ == cursor_) return false;
+    if (!(keys & kKeyFirstPart) || restart_ == RestartState::Searching || static_cast<RecordKind>(r.kind) != RecordKind::Aux || r.code != 'T' || tool_shown_ == cursor_) return false;
     tool_shown_ = cursor_;
     line_ = r.line;
     stand(ChannelState::ProgramStop, StopReason::FirstPart);
@@ -337,10 +340,12 @@ bool ChannelRunner::arrive(const PathRecord& r) noexcept {
     wait_since_ = core_.tick;
     warned_ = 0;
     judged_ = false;
-    core_.waits.arrive(index_, r.code, r.mask | 1u << index_);
+    stand_at(r);
     state_ = ChannelState::Waiting;
     return false;
 }
+
+void ChannelRunner::stand_at(const PathRecord& r) noexcept { core_.waits.arrive(index_, r.code, r.mask | ChannelSet{1} << index_, run_, wait_phase()); }
 
 bool ChannelRunner::stop(const PathRecord& r) noexcept {
     if (passes_stop_) return true;
@@ -375,6 +380,7 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
                 stand(ChannelState::Held, StopReason::Held);
                 return true;
             }
+            restart_ = RestartState::None;   // its block did not come
             if (!lap_ended_) end_lap();
             strobe_end(reason);
             stand(ChannelState::Ended, reason);

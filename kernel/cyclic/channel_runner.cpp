@@ -43,7 +43,11 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     early_ = kNoRecord;
     at_boundary_ = true;
     phase_ = Phase::None;
-    begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = false;
+    begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = owes_meeting_ = restart_refused_ = false;
+    flying_ = let_pass_ = kNoRecord;
+    restart_ = RestartState::None;
+    core_.waits.leave(index_);
+    ++run_;
     control_ = 0;   // a predecessor's program put off what the operator's switches do
     selected_ = false;   // it knows none of what its predecessor was told
     broken_off_ = 0;
@@ -184,7 +188,7 @@ void ChannelRunner::judge_stroke_anew() noexcept {
     if (!cut_.places_known || cut_.version != core_.stroke.version(index_)) {
         if (!at_rest() || !at_boundary_) return;
         plan_anew(cursor_);
-        flying_ = kNoRecord;
+        flying_ = let_pass_ = kNoRecord;
         cut_.record = kNoRecord;
         cut_.version = core_.stroke.version(index_);
     } else if (planner_->next_record() != cursor_ || !at_rest()) {
@@ -250,7 +254,11 @@ void ChannelRunner::settle() noexcept {
         core_.waits.leave(index_);
         core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(StopReason::Death), 0, line_);
     }
-    if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) restart_ = RestartState::None, stand(ChannelState::Interrupted, StopReason::Alarm);
+    if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) {
+        restart_ = RestartState::None;
+        core_.waits.leave(index_);
+        stand(ChannelState::Interrupted, StopReason::Alarm);
+    }
     if (hold_ && !interrupted_ && state_ == ChannelState::Running && phase_ != Phase::Handshake) stand(ChannelState::Held, StopReason::Held);
     if (state_ == ChannelState::Running && ((step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) || std::exchange(group_ended_, false))) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
 }
@@ -264,7 +272,7 @@ PathInput ChannelRunner::path_input() noexcept {
     input.speed_ceiling = setup_ceiling();
     if (cursor_ < planner_->next_record()) input.speed_ceiling = std::min(input.speed_ceiling, ceiling_before_reference(record(cursor_)));   // lost since it was planned
     input.spindle_rev_s = core_.spindle_rev_s.data();
-    input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !drives_by_wheel();
+    input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !drives_by_wheel() || owes_meeting_;
     if (emergency_) input.emergency_dec = emergency_deceleration();
     return input;
 }
@@ -273,9 +281,10 @@ void ChannelRunner::drive() noexcept {
     if (!interrupted_ && state_ == ChannelState::Running && planner_->at_rest() && cursor_ < planner_->next_record()) refuse_bound(record(cursor_));
     if (flying_ != kNoRecord && planner_->next_record() > flying_) {
         const PathRecord& r = record(flying_);
-        if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait())) planner_->let_pass(flying_), flying_ = kNoRecord;
+        if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait(), wait_phase())) planner_->let_pass(flying_), let_pass_ = std::exchange(flying_, kNoRecord);
     }
     PathInput input = path_input();
+    if (flies_unmet()) input.hold = true;
     const bool breaks_off = interrupt_due_ && !(interrupt_bits_ & kInterruptAtBlockEnd);
     const bool ends_block = interrupt_due_ && !breaks_off;
     if (skip_signal() || breaks_off) input.hold = true;
@@ -320,6 +329,19 @@ void ChannelRunner::drive() noexcept {
     block_ = r.block;
     file_ = r.file;
     watch_standstill(&r);
+}
+
+// The partners of a wait that it was let pass have stopped before it has come there: the path comes to rest, and stands at the wait if
+// that lies in front of it still; if not, behind it (after_waits).
+bool ChannelRunner::flies_unmet() noexcept {
+    if (let_pass_ == kNoRecord) return false;
+    if (cursor_ > let_pass_) return let_pass_ = kNoRecord, false;
+    const PathRecord& r = record(let_pass_);
+    if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait(), wait_phase())) return false;
+    if (!planner_->at_rest()) return true;
+    planner_->stand_before(let_pass_);
+    flying_ = std::exchange(let_pass_, kNoRecord);
+    return false;
 }
 
 void ChannelRunner::report_progress() noexcept {

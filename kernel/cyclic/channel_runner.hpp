@@ -21,6 +21,7 @@
 #include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/beside_program.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/restart_fate.hpp"
 #include "kernel/cyclic/start_conditions.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "kernel/cyclic/thread_retract.hpp"
@@ -50,6 +51,8 @@ public:
     bool tool_may_begin(const PathRecord& move, const PathRecord& tool, double until) noexcept;
     [[nodiscard]] std::uint64_t end_of_few_blocks(std::uint64_t most) const noexcept;
     void run() noexcept;
+    // What the board of waits must know of it (waits.hpp): its half of a meeting counts while its program runs.
+    WaitBoard::Standing standing() const noexcept;
     void release_wait() noexcept;   // the meeting took place
     void after_waits(std::span<ChannelRunner* const> all) noexcept;  // messages and alarms of those that still wait
     void publish(ChannelStatus& status) noexcept;
@@ -66,10 +69,14 @@ public:
     bool has_nothing_to_begin() const noexcept;
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
     void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
-    // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1.
-    void restart(double block, ChannelSet together) noexcept;
+    // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1; `group`: their restart. False: refused.
+    bool restart(double block, ChannelSet together, std::uint32_t group) noexcept;
     bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
-    void reset() noexcept;
+    // Of a member of a restart group (restart_groups.hpp): what has become of it; all of the group are at their blocks.
+    RestartFate restart_fate() const noexcept;
+    void let_restart_begin(bool complete) noexcept { restart_complete_ = complete; }
+    void end_restart() noexcept;    // it goes back to reset with the others; a start that was meant for its block begins nothing
+    void reset() noexcept;          // by operator, scenario, or what its machine group does when a partner dies
     void select(std::string_view file, double language) noexcept;   // language: a Dialect, 0 as PT_LANGUAGE says
     void init_program(std::string_view file) noexcept { select(file, static_cast<double>(job_language_)); }   // INIT says none: as before
     void start_program() noexcept;
@@ -210,6 +217,9 @@ private:
     void flag(const PathRecord& r) noexcept;
     bool dwell(const PathRecord& r, double& left) noexcept;
     bool arrive(const PathRecord& r) noexcept;
+    void stand_at(const PathRecord& r) noexcept;
+    WaitBoard::Phase wait_phase() const noexcept;
+    bool flies_unmet() noexcept;
     bool thread(double& left) noexcept;
     bool commit_thread() noexcept;
     bool withdraws(const PathRecord& first) const noexcept;
@@ -346,6 +356,8 @@ private:
     } cut_;
     std::uint32_t writes_ahead_ = 0;       // records that are planned and will write to the store
     std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
+    std::uint64_t let_pass_ = kNoRecord;   // the one that does not, because its partners are there, and that the path has not come to yet
+    bool owes_meeting_ = false;            // it was passed, and then they were not: the path stands behind it until they are
     Phase phase_ = Phase::None;
     std::int32_t m_code_ = -1;
     bool begun_ = false;                   // the standing record has reported its beginning
@@ -371,6 +383,11 @@ private:
     bool change_due_ = false, start_wanted_ = false;
     bool held_mdi_ = false, program_left_ = false;   // a block by hand runs in the hold; one has run
     RestartState restart_ = RestartState::None;
+    std::uint32_t restart_group_ = 0;      // of the search
+    bool restart_complete_ = false;        // all of its group are at their blocks
+    bool restart_refused_ = false;         // a start would begin the program at its first block, and nobody has meant that
+    std::uint64_t run_ = 0;                // grows with each start and each reset
+    bool cut_off_ = false;                 // its process died while a program ran: that has not come to its end, whatever a successor is
     Trail trail_;
     int retrace_ = 0;                      // chosen by the operator: -1 cycle start drives backwards, 1 forwards again
     bool on_trail_ = false;                // it moves there

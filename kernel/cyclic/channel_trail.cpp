@@ -13,7 +13,7 @@ constexpr double kOnPath = 1e-3;   // mm, degrees: further off the axes have bee
 // No function, thread or wait of a meeting is under way: the path may be left here and taken up again.
 bool ChannelRunner::may_leave_path() const noexcept {
     if (!segment_ || !trail_.ready() || dead_ || stopped_ || interrupted_ || resetting_ || jog_in_hold_ || held_mdi_ || program_left_ || retract_.active() || thread_moving_) return false;
-    if (question_ || !planner_->at_rest()) return false;
+    if (question_ || owes_meeting_ || !planner_->at_rest()) return false;
     return phase_ == Phase::None || phase_ == Phase::Dwell || phase_ == Phase::Waiting;
 }
 
@@ -160,7 +160,7 @@ void ChannelRunner::drive_trail() noexcept {
         trail_.leave();
         retrace_ = 0;
         on_trail_ = false;
-        if (came_back_) core_.waits.arrive(index_, record(cursor_).code, record(cursor_).mask | ChannelSet{1} << index_), came_back_ = false;
+        if (std::exchange(came_back_, false)) stand_at(record(cursor_));
         return;
     }
     if (!wheel_ && trail_.stands() && trail_.direction() < 0 && state_ == ChannelState::Running) {

@@ -59,7 +59,10 @@ void Machine::run_command(const Command& c) noexcept {
             if (c.channel == 0 || c.channel == l + 1) channels_[l]->pressed_keys = on ? channels_[l]->pressed_keys | bits : channels_[l]->pressed_keys & ~bits;
     };
     switch (static_cast<CommandKind>(c.kind)) {
-        case CommandKind::CycleStart: start_channels(c); break;
+        case CommandKind::CycleStart:
+            judge_restarts();   // a reset of this very tick ends a restart before a start of it
+            start_channels(c);
+            break;
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
@@ -141,7 +144,8 @@ void Machine::run_command(const Command& c) noexcept {
             reference_command(c);
             break;
         case CommandKind::Restart:
-            each_channel(c, [&](ChannelRunner& r) { r.restart(c.value, c.flags); });
+            for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
+                if (c.channel == 0 || c.channel == l) restart_channel(c, l);
             break;
         case CommandKind::Retrace: each_channel(c, [&](ChannelRunner& r) { r.retrace(on); }); break;
         case CommandKind::DialogueValue: each_channel(c, [&](ChannelRunner& r) { r.dialogue_value(c.value, text_of(c)); }); break;

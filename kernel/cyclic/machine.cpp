@@ -215,6 +215,7 @@ void Machine::supervise() noexcept {
 }
 
 void Machine::run_channels() noexcept {
+    judge_restarts();
     turn_wheels();
     core_.some_slow = false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.some_slow = core_.some_slow || core_.is_slow(a);
@@ -244,15 +245,14 @@ void Machine::run_channels() noexcept {
         if (std::exchange(call.selected, false)) channels_[l]->init_program({call.file.data(), ::strnlen(call.file.data(), call.file.size())});
         if (std::exchange(call.started, false)) channels_[l]->start_program();
     }
-    ChannelSet idle = 0;
-    for (unsigned l = 0; l < channels_.size(); ++l) idle |= channels_[l]->idle() ? ChannelSet{1} << l : ChannelSet{0};
-    core_.waits.idle(idle);
+    for (unsigned l = 0; l < kMaxChannels; ++l) core_.waits.tell(l, channels_[l]->standing());
     const ChannelSet released = core_.waits.release(core_.no_wait());
     if (released) ++core_.meetings;
     for (unsigned l = 0; released >> l; ++l)
         if (released >> l & 1u) channels_[l]->release_wait();
     for (auto& channel : channels_) channel->after_waits(runners_);
     for (auto& channel : channels_) channel->pass_waits(runners_);
+    judge_restarts();
 }
 
 void Machine::run_axes() noexcept {

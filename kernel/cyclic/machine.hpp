@@ -24,6 +24,7 @@
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/inclined_slides.hpp"
 #include "kernel/cyclic/plc_link.hpp"
+#include "kernel/cyclic/restart_groups.hpp"
 #include "kernel/cyclic/scope.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
 #include "kernel/cyclic/tool_in_work.hpp"
@@ -78,6 +79,10 @@ private:
     void start_channels(const Command& command) noexcept;
     void run_command(const Command& command) noexcept;
     void run_channels() noexcept;
+    void restart_channel(const Command& command, std::uint32_t channel) noexcept;
+    void judge_restarts() noexcept;
+    void end_restart(const RestartGroups::Refusal& refusal) noexcept;
+    RestartGroups restarts_;
     void jog_command(const Command& command) noexcept;
     double jog_feed(std::uint32_t axis) const noexcept;
     // tool_setter.cpp

@@ -63,6 +63,8 @@ constexpr std::array<StartCondition, kStartWords.size()> kConditions{{
      [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.lacks_program; }},
     {"block", Scope::Channel,
      [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.lacks_block; }},
+    {"restart", Scope::Channel,
+     [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.others_search; }},
 }};
 
 constexpr bool same_order() {

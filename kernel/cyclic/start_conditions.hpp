@@ -18,6 +18,7 @@ struct StartView {
     bool alarmed = false;          // interrupted by an alarm: only a reset goes on
     bool by_hand_mode = false;     // jog, handwheel, reference
     bool away = false;             // axes were moved in a hold and have not come back
+    bool others_search = false;    // it stands at the block of a restart, and not all of that restart do
     bool lacks_program = false;    // it would begin the selected program, and none is
     bool lacks_block = false;      // it would begin the block entered by hand, and none is
 };

@@ -97,6 +97,10 @@ void PathPlanner::let_pass(std::uint64_t record) noexcept {
     if (record >= first_ && record < end_) at(record).stop_before = false;
 }
 
+void PathPlanner::stand_before(std::uint64_t record) noexcept {
+    if (record >= first_ && record < end_) at(record).stop_before = true;
+}
+
 double PathPlanner::ceiling_of(const PlannedRecord& slot, Ceilings which, const PathInput& input) const noexcept {
     if (which == Ceilings::Hard || !(slot.length > 0)) return slot.v_max;
     double wanted = slot.feed;

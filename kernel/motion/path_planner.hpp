@@ -103,6 +103,7 @@ public:
     // the records between were executed or dropped by the kernel. `to` may be next_record().
     void skip(std::uint64_t to) noexcept;
     void let_pass(std::uint64_t record) noexcept;  // a record that stopped the path does so no more
+    void stand_before(std::uint64_t record) noexcept;   // it does again; only while the path rests in front of it
     void step_block() noexcept { block_latch_ = kNone; block_done_ = false; }  // single block: drive the next one
 
     // Of a record that began or ended in the last tick: when, 0 (the tick's beginning) to 1 (its end).

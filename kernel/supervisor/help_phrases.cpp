@@ -133,6 +133,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"passes its waits over, nobody waits for it", "ожидания пропускаются, его никто не ждёт", "čekání se přeskakují, nikdo na něj nečeká", "a várakozásokat átlépi, senki sem vár rá"},
     {"handwheel superposed", "маховичок наложен", "ruční kolečko superponováno", "rászuperponált kézikerék"},
     {"looks for the block of the restart", "ищет кадр повторного пуска", "hledá blok opětovného startu", "az újraindítás mondatát keresi"},
+    {"at the block of the restart: others are not at theirs yet", "у кадра повторного пуска: другие ещё не у своих", "u bloku opětovného startu: ostatní ještě nejsou u svých", "az újraindítás mondatánál: a többiek még nincsenek ott"},
+    {"its restart was refused: restart again, or reset", "повторный пуск отклонён: пустите снова с кадра или сбросьте", "opětovný start byl odmítnut: začněte znovu od bloku, nebo reset", "az újraindítást elutasította: indítsa újra, vagy reset"},
     {"at the block of the restart: cycle start approaches", "у кадра повторного пуска: пуск цикла начнёт подход", "u bloku opětovného startu: start cyklu zahájí nájezd", "az újraindítás mondatánál: a ciklusstart megközelíti"},
     // approach of a restart
     {"restart at", "повторный пуск с", "opětovný start od", "újraindítás itt:"},

@@ -12,6 +12,7 @@
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/machine_step.hpp"
+#include "ipc/machine/start_words.hpp"
 #include "ipc/machine/wait_name.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/event_text.hpp"
@@ -53,7 +54,9 @@ std::string special_text(const ChannelStatus& channel) {
     if (channel.wheel) add("driven by the handwheel");
     if (channel.keys & kKeySuperpose) add("handwheel superposed");
     if (channel.restart == static_cast<std::uint32_t>(RestartState::Searching)) add("looks for the block of the restart");
-    if (channel.restart == static_cast<std::uint32_t>(RestartState::AtBlock)) add("at the block of the restart: cycle start approaches");
+    const bool alone = (channel.start_missing & start_bit("restart")) != 0;   // it may not start: others are not there, or will not come
+    if (channel.restart == static_cast<std::uint32_t>(RestartState::AtBlock)) add(alone ? "at the block of the restart: others are not at theirs yet" : "at the block of the restart: cycle start approaches");
+    else if (alone) add("its restart was refused: restart again, or reset");
     return out;
 }
 
@@ -169,6 +172,7 @@ Result<std::string> status_json(const std::string& instance) {
             "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},\"superposed\":{},\"restart\":\"{}\"",
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
             channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s), channel.retrace, channel.wheel != 0, (channel.keys & kKeySuperpose) != 0, restart_text(channel.restart));
+        channels += fmt::format(",\"restart_complete\":{}", (channel.start_missing & start_bit("restart")) == 0);
         channels += fmt::format(",\"language\":\"{}\",\"ignores_waits\":{}", language_name(static_cast<Dialect>(channel.speaks)), (channel.keys & kKeyIgnoreWaits) != 0);
         if (channel.tool) channels += fmt::format(",\"tool\":{},\"tool_offset\":{}", channel.tool, channel.tool_offset);   // of tool management
         if (p.shown_tool[i] > 0) channels += fmt::format(",\"active_tool\":{}", p.shown_tool[i]);

@@ -263,17 +263,32 @@ void RunSession::take_stopped(const KernelEvent& event, double t_s) {
     const auto track = tracks_.find(event.channel);
     const auto reason = static_cast<StopReason>(event.code);
     const bool answered = reason == StopReason::M00 || reason == StopReason::M01 || reason == StopReason::Restart || reason == StopReason::FirstPart;
-    if (answered && !(wishes_.scenario && wishes_.scenario->presses_cycle_start())) {
-        Command start{};
-        start.kind = static_cast<std::uint32_t>(CommandKind::CycleStart);
-        start.channel = event.channel;
-        send_at(start, t_s + kStopAnswer_s);
-    }
+    const std::vector<unsigned> starts = to_start(event.channel, reason);
+    if (answered && !(wishes_.scenario && wishes_.scenario->presses_cycle_start()))
+        for (const unsigned channel : starts) {
+            Command start{};
+            start.kind = static_cast<std::uint32_t>(CommandKind::CycleStart);
+            start.channel = channel;
+            send_at(start, t_s + kStopAnswer_s);
+        }
     if ((reason == StopReason::Alarm || reason == StopReason::Death) && track != tracks_.end()) {
         track->second.alarmed = true;
         end_if_over(event, t_s);
     }
     if (reason == StopReason::Death) replace_channel(event.channel);
+}
+
+// Who is started when a channel stands: itself; at the block of a restart all that restart with it, when the last of them is there.
+std::vector<unsigned> RunSession::to_start(unsigned channel, StopReason reason) {
+    const std::uint32_t bit = 1u << (channel - 1);
+    at_block_ &= ~bit;
+    if (reason != StopReason::Restart) return {channel};
+    at_block_ |= bit;
+    const std::uint32_t together = restarts_[channel] | bit;
+    std::vector<unsigned> out;
+    for (unsigned l = 1; l <= kMaxChannels; ++l)
+        if (together >> (l - 1) & 1u) out.push_back(l);
+    return (at_block_ & together) == together ? out : std::vector<unsigned>{};
 }
 
 // It is started anew in reset state (architecture 3), its program selected still. In virtual time only where the kernel waits for

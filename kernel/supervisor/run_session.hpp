@@ -59,6 +59,7 @@ private:
     bool ending() const { return end_tick_ != INT64_MAX; }
     void take_begin(const KernelEvent& event, double t_s);
     void take_stopped(const KernelEvent& event, double t_s);
+    std::vector<unsigned> to_start(unsigned channel, StopReason reason);
     void replace_channel(unsigned channel);
     void select_again(unsigned channel, std::int64_t tick);
     void select_in_successors(const MachineStatus& status);
@@ -97,6 +98,8 @@ private:
     std::map<unsigned, Track> tracks_;
     std::map<unsigned, std::int64_t> to_select_;      // channels whose successor the kernel has not taken yet: tick of the death
     std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
+    std::map<unsigned, std::uint32_t> restarts_;      // channels that restart: with whom (bit 0 is channel 1)
+    std::uint32_t at_block_ = 0;                      // of these, who stands at its block
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
     std::int64_t origin_ = INT64_MAX, log_tick_ = 0;  // origin: tick of the cycle start, once it is known

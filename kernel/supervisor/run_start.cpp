@@ -144,6 +144,7 @@ void RunSession::send_at(const Command& command, double t_s) {
     const std::int64_t tick = origin_ + std::max<std::int64_t>(ticks, 0);
     sent_ticks_.insert(tick);
     if (is(command.kind, CommandKind::CycleStart) || is(command.kind, CommandKind::Mdi) || is(command.kind, CommandKind::Restart)) starts_planned_.insert(tick);
+    if (is(command.kind, CommandKind::Restart)) restarts_[command.channel] = command.flags;
     controller_->send(command, tick);
 }
 

@@ -196,6 +196,7 @@ TEST(Hold, AStartAwayThatTheBlockDoesNotAllowLeavesTheWayBack) {
 TEST(Hold, RestartOfAProgramTellsBlockAndSet) {
     TickRig rig;
     rig.command(CommandKind::Restart, 1, 120, 0, 0, 3);
+    rig.command(CommandKind::Restart, 2, 340, 0, 0, 3);
     rig.run(3);
     ASSERT_FALSE(rig.heard[0].empty());
     const ChannelEvent& event = rig.heard[0].back();
@@ -203,6 +204,7 @@ TEST(Hold, RestartOfAProgramTellsBlockAndSet) {
     EXPECT_EQ(event.value, 120);
     EXPECT_EQ(event.record, 3u);
     rig.push(1, rig.stop(1, StopReason::Restart));
+    rig.push(2, rig.stop(2, StopReason::Restart));
     rig.run(5);
     EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
     rig.push(1, rig.line(1, {10, 0}, 50));

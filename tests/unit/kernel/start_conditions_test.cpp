@@ -38,6 +38,7 @@ const std::map<std::string_view, Fault>& faults() {
          }, "A2 detached"}},
         {"program", {[](TickRig&, StartView& v) { v.lacks_program = true; }, "no program is selected"}},
         {"block", {[](TickRig&, StartView& v) { v.lacks_block = true; }, "no block is entered"}},
+        {"restart", {[](TickRig&, StartView& v) { v.others_search = true; }, "not all channels of the restart"}},
         {"referenced", {[](TickRig& rig, StartView&) { rig.machine->core().axes[0].referenced = false; }, "A1 not referenced"}},
     };
     return kFaults;

@@ -36,7 +36,8 @@ TEST(Waits, ForTheEndOfAProgramOpensWhenTheOtherRestsWhateverItWaitsFor) {
     EXPECT_EQ(board.release(0), 0u);
     board.arrive(1, 5, 0b010);   // the other's own wait is no arrival here
     EXPECT_EQ(board.release(0), 0b010u);
-    board.idle(0b010);
+    board.tell(0, {.live = true}), board.tell(2, {.live = true});
+    board.tell(1, {.ended = true});
     EXPECT_EQ(board.release(0), 0b101u);
     EXPECT_EQ(board.release(0), 0u);
 }
