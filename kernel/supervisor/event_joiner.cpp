@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 
 namespace polyturn::supervisor {
 
@@ -138,7 +139,7 @@ std::string EventJoiner::file_of(unsigned channel, unsigned line) const {
     const std::string* last = last_begun(channel);
     if (!last || line == 0) return {};
     const nlohmann::json block = nlohmann::json::parse(last->back() == '}' ? *last : *last + "}", nullptr, false);
-    return block.is_object() && block.value("line", 0u) == line ? block.value("file", std::string()) : std::string();
+    return block.is_object() && count_field(block, "line") == line ? text_field(block, "file") : std::string();
 }
 
 }  // namespace polyturn::supervisor

@@ -17,6 +17,7 @@
 #include "kernel/supervisor/setup_sensors.hpp"
 #include "kernel/supervisor/like.hpp"
 #include "kernel/supervisor/phrases.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 
 namespace polyturn::supervisor {
 
@@ -314,21 +315,19 @@ void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect) {
 
 void print_alarm_event(std::string_view event_text, Dialect dialect) {
     const auto event = nlohmann::json::parse(event_text, nullptr, false);
-    if (event.is_discarded()) return;
-    const std::string words = event.value("text", "");
-    std::string number;
-    if (const auto found = event.find("number"); found != event.end())
-        number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
+    if (!event.is_object()) return;
+    const std::string words = text_field(event, "text");
+    std::string number = word_field(event, "number");
     if (dialect == Dialect::Fanuc && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos) number.insert(0, 3 - number.size(), '0');
-    const std::string file = event.value("file", "");
-    const auto line = event.value("line", 0u), column = event.value("column", 0u);
+    const std::string file = text_field(event, "file");
+    const auto line = count_field(event, "line"), column = std::min(count_field(event, "column"), 10'000u);
     std::string out = file;
     if (line) out += fmt::format(":{}", line);
     if (column) out += fmt::format(":{}", column);
-    if (out.empty() && event.contains("ch")) out = fmt::format(fmt::runtime(say("channel {}")), event.value("ch", 0u));
-    const std::string severity = event.value("severity", "error");
+    if (out.empty() && event.contains("ch")) out = fmt::format(fmt::runtime(say("channel {}")), count_field(event, "ch"));
+    const std::string severity = text_field(event, "severity", "error");
     const Tongue tongue = tongue_now();
-    const std::string_view what = severity_word(event.value("ev", "") == "message" || severity == "message" ? Severity::Message : severity == "warning" ? Severity::Warning : Severity::Error, tongue);
+    const std::string_view what = severity_word(text_field(event, "ev") == "message" || severity == "message" ? Severity::Message : severity == "warning" ? Severity::Warning : Severity::Error, tongue);
     const auto told = retell(number, dialect, words, tongue);
     out += fmt::format("{}{}{}{}: {}\n", out.empty() ? "" : ": ", what, number.empty() ? "" : " ", number, told ? told->text : retold_restart(words));
     if (line)
@@ -336,7 +335,7 @@ void print_alarm_event(std::string_view event_text, Dialect dialect) {
             out += fmt::format("{:5} | {}\n", line, text::line_of(*content, line));
             if (column) out += fmt::format("      | {}^\n", std::string(column - 1, ' '));
         }
-    const std::string remedy = told && tongue != Tongue::English ? std::string(told->remedy) : event.value("remedy", "");
+    const std::string remedy = told && tongue != Tongue::English ? std::string(told->remedy) : text_field(event, "remedy");
     if (!remedy.empty()) out += fmt::format("   {}\n", remedy);
     std::fwrite(out.data(), 1, out.size(), stderr);
 }

@@ -1,4 +1,5 @@
 #include "kernel/supervisor/run_record.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -27,23 +28,23 @@ std::optional<PlanePoint> point_at(const Json& event, const char* key, double x_
 
 void RunRecord::add(std::string_view event_text, double t_s, double end_s, bool diameter) {
     const Json event = Json::parse(event_text, nullptr, false);
-    if (event.is_discarded()) return;
-    const std::string kind = event.value("ev", "");
+    if (!event.is_object()) return;
+    const std::string kind = text_field(event, "ev");
     Activity activity;
     if (kind == "move") {
-        const std::string how = event.value("kind", "");
+        const std::string how = text_field(event, "kind");
         activity.doing = how == "rapid" || how == "reference" ? Doing::Rapid : how == "thread" ? Doing::Thread : Doing::Cut;
         activity.clockwise = how == "cw";
         activity.to = point_at(event, "pos", diameter ? 0.5 : 1.0);
         activity.centre = point_at(event, "centre", 1.0);  // X of a centre is a radius already
         if (const auto tool = event.find("tool"); tool != event.end() && tool->is_object()) {
             if (const auto number = number_at(*tool, "number")) activity.tool = fmt::format("T{:g}", *number);
-            if (const std::string name = tool->value("name", ""); !name.empty()) activity.tool += (activity.tool.empty() ? "" : " ") + name;
+            if (const std::string name = text_field(*tool, "name"); !name.empty()) activity.tool += (activity.tool.empty() ? "" : " ") + name;
         }
     } else if (kind == "wait") {
         activity.doing = Doing::Wait;
         if (const auto code = event.find("code"); code != event.end())
-            activity.code = code->is_string() ? code->get<std::string>() : fmt::format("M{}", code->get<long>());
+            activity.code = code->is_string() ? code->get<std::string>() : "M" + word_field(event, "code");
         if (const auto set = event.find("channels"); set != event.end() && set->is_array())
             for (const auto& one : *set)
                 if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= 32) activity.partners |= 1u << (one.get<int>() - 1);
@@ -51,13 +52,13 @@ void RunRecord::add(std::string_view event_text, double t_s, double end_s, bool 
         activity.doing = Doing::Dwell;
     } else if (kind == "aux") {
         activity.doing = Doing::Aux;
-        activity.code = event.value("code", "");
+        activity.code = text_field(event, "code");
     } else {
         return;
     }
-    activity.channel = event.value("ch", 0u);
-    activity.file = event.value("file", "");
-    activity.line = event.value("line", 0u);
+    activity.channel = count_field(event, "ch");
+    activity.file = text_field(event, "file");
+    activity.line = count_field(event, "line");
     activity.t_s = t_s;
     activity.end_s = end_s >= t_s ? end_s : t_s;
     activities.push_back(std::move(activity));

@@ -10,6 +10,7 @@
 #include "ipc/diagnosis/tongue.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/press_words.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 
 namespace polyturn::supervisor {
 
@@ -243,9 +244,10 @@ void RunSession::take_begin(const KernelEvent& event, double t_s) {
 // Channels that a program starts belong to the run from then on.
 void RunSession::expect_started(std::string_view event_text) {
     const auto event = nlohmann::json::parse(event_text, nullptr, false);
-    const auto channels = event.find("channels");
-    if (event.is_discarded() || channels == event.end()) return;
-    for (const auto& one : *channels) tracks_[one.get<unsigned>()];
+    const auto channels = event.is_object() ? event.find("channels") : event.end();
+    if (channels == event.end() || !channels->is_array()) return;
+    for (const auto& one : *channels)
+        if (one.is_number_unsigned() && one.get<std::uint64_t>() >= 1 && one.get<std::uint64_t>() <= kMaxChannels) tracks_[one.get<unsigned>()];
 }
 
 // Stimuli that wait for this event.

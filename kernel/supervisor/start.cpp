@@ -1,5 +1,7 @@
 #include "kernel/supervisor/start.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -82,8 +84,15 @@ int start_controller(const StartOptions& asked) {
         print_diagnosis(server.diagnosis(), Dialect::Polyturn);
         return 2;
     }
-    StartSession session(options, std::move(machine), std::move(*server));
-    return session.run();
+    int status = 0;
+    bool stuck = false;
+    {
+        StartSession session(options, std::move(machine), std::move(*server));
+        status = session.run();
+        stuck = session.stuck();
+    }
+    if (stuck) _exit(status);   // nobody waits for it
+    return status;
 }
 
 }  // namespace polyturn::supervisor

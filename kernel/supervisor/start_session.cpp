@@ -19,6 +19,7 @@
 #include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/refusal.hpp"
 #include "kernel/supervisor/start_position.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 
 namespace polyturn::supervisor {
 
@@ -137,8 +138,10 @@ void StartSession::loop() {
         watch_stops();
         revive();
         screens_.look();
+        if (!controller_) return;   // the machine could not be started anew
         controller_->look_for_successors([](const Diagnosis& why) { print_diagnosis(why, Dialect::Polyturn); });
         workers_.finish();
+        printer_.finish();
         move_selections();
         server_.serve(more_events_ ? 0 : desk_.waiting() ? 2 : 10, handler, workers_.fd());
     }
@@ -146,11 +149,23 @@ void StartSession::loop() {
 
 // The machine first: it comes to rest while the log of stops may still be on its way to a slow disk.
 void StartSession::end() {
+    if (!controller_) return;
     keep_stops(stops_.close(utc_ms()));
     keep_alarms();
     controller_->stop_kernel(kEndPatience_ms);
     for (const auto until = Clock::now() + kLastWords; desk_.waiting() && controller_->running(kProcessStore) && Clock::now() < until; sleep_ms(2)) desk_.move(*controller_, Clock::now(), teller());
     controller_->stop(kEndPatience_ms);
+    for (const auto until = Clock::now() + kLastWords; printer_.busy() && Clock::now() < until; sleep_ms(2)) printer_.finish();
+}
+
+bool StartSession::stuck() const { return workers_.busy() || printer_.busy(); }
+
+// What people are told shows the line of a program, and a terminal may have been halted: not in the loop.
+void StartSession::printed(std::function<void()> print) {
+    (void)printer_.offer([print = std::move(print)]() -> Workers::Done {
+        print();
+        return {};
+    });
 }
 
 void StartSession::drain() {
@@ -201,7 +216,7 @@ void StartSession::take(const KernelEvent& event) {
             joiner_.close_channel(event.channel, t_s);
             break;
         case KernelEventKind::MachineState:
-            std::fprintf(stderr, "%s\n", std::string(machine_step_text(static_cast<std::uint32_t>(event.code)).text).c_str());
+            printed([text = std::string(machine_step_text(static_cast<std::uint32_t>(event.code)).text)] { std::fprintf(stderr, "%s\n", text.c_str()); });
             break;
         case KernelEventKind::Message:
         case KernelEventKind::Alarm: {
@@ -215,7 +230,7 @@ void StartSession::take(const KernelEvent& event) {
             const bool builders = diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote;
             const int number = static_cast<int>(event.value);
             if (builders) diagnosis.detail = messages_.explain(number, static_cast<text::MessageLanguage>(tongue_now()));
-            print_diagnosis(diagnosis, dialect(event.channel));
+            printed([diagnosis, language = dialect(event.channel)] { print_diagnosis(diagnosis, language); });
             if (builders) diagnosis.detail = messages_.explain(number);   // logs are English
             std::string words = alarm_event(diagnosis, dialect(event.channel), event.channel, t_s);
             words.pop_back();
@@ -270,9 +285,9 @@ std::string StartSession::with_when(std::string event_text) const {
 }
 
 void StartSession::note_alarm(std::string event_text, Dialect language, bool tell) {
-    if (tell) print_alarm_event(event_text, language);
-    if (const Json event = Json::parse(event_text.back() == '}' ? event_text : event_text + "}", nullptr, false); event.is_object() && event.value("severity", "") == "error")
-        stops_.alarm(event.value("ch", 0u), event["number"].is_string() ? event["number"].get<std::string>() : event["number"].dump(), event.value("text", ""));
+    if (tell) printed([event_text, language] { print_alarm_event(event_text, language); });
+    if (const Json event = Json::parse(event_text.back() == '}' ? event_text : event_text + "}", nullptr, false); text_field(event, "severity") == "error")
+        stops_.alarm(count_field(event, "ch"), word_field(event, "number"), text_field(event, "text"));
     alarms_.push_back(with_when(std::move(event_text)));
     if (alarms_.back().find("\"severity\":\"error\"") != std::string::npos || alarms_.back().find("\"severity\":\"warning\"") != std::string::npos) unkept_alarms_.push_back(alarms_.back());
     ++alarms_noted_;
@@ -281,7 +296,7 @@ void StartSession::note_alarm(std::string event_text, Dialect language, bool tel
 
 void StartSession::process_died(std::size_t slot, int status) {
     const Diagnosis diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the process {} {}", process_name(slot), describe_end(status))};
-    print_diagnosis(diagnosis, Dialect::Polyturn);
+    printed([diagnosis] { print_diagnosis(diagnosis, Dialect::Polyturn); });
     std::string words = alarm_event(diagnosis, Dialect::Polyturn, 0);
     words.pop_back();
     note_alarm(std::move(words), Dialect::Polyturn, false);

@@ -32,6 +32,7 @@ class StartSession {
 public:
     StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server);
     int run();
+    bool stuck() const;   // behind run(): a thread of it hangs in a file or a halted terminal
 
 private:
     Result<void> launch();
@@ -45,6 +46,7 @@ private:
     void process_died(std::size_t slot, int status);
     void revive();
     void end();
+    void printed(std::function<void()> print);
     // start_session_requests.cpp: what comes through the socket.
     using Taken = RequestServer::Taken;
     Taken handle(RequestServer::Client client, const Request& request);
@@ -100,7 +102,7 @@ private:
     std::deque<std::string> alarms_;  // event objects, the newest last
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started
     StoreDesk desk_;
-    Workers workers_;
+    Workers workers_, printer_{1, 1000};
     std::deque<Selection> selections_;
     std::map<std::int64_t, RateLimit> logins_;   // by user of the computer: wrong ones cost
     std::unique_ptr<UserTable> users_;           // as the store has them; read again when they have changed

@@ -18,7 +18,7 @@ struct Workers::Shared {
     std::condition_variable some;
     std::deque<Work> waiting;
     std::deque<Done> done;
-    std::size_t under_way = 0;   // offered and not yet finished
+    std::size_t under_way = 0, most = 0;   // offered and not yet finished
     bool end = false;
     int ready = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     ~Shared() { close(ready); }
@@ -44,11 +44,12 @@ struct Workers::Shared {
     }
 };
 
-Workers::Workers() : shared_(std::make_shared<Shared>()) {
+Workers::Workers(std::size_t threads, std::size_t most_at_once) : shared_(std::make_shared<Shared>()) {
+    shared_->most = most_at_once;
     sigset_t all, before;   // signals are the loop's: they interrupt its waits
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    for (std::size_t i = 0; i < kThreads; ++i) std::thread([shared = shared_] { shared->run(); }).detach();
+    for (std::size_t i = 0; i < threads; ++i) std::thread([shared = shared_] { shared->run(); }).detach();
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
@@ -61,7 +62,7 @@ Workers::~Workers() {
 bool Workers::offer(Work work) {
     {
         const std::lock_guard lock(shared_->mutex);
-        if (shared_->under_way >= kMostAtOnce) return false;
+        if (shared_->under_way >= shared_->most) return false;
         ++shared_->under_way;
         shared_->waiting.push_back(std::move(work));
     }

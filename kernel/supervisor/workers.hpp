@@ -13,7 +13,7 @@ public:
     using Work = std::function<Done()>;
     static constexpr std::size_t kThreads = 2, kMostAtOnce = 16;
 
-    Workers();
+    explicit Workers(std::size_t threads = kThreads, std::size_t most_at_once = kMostAtOnce);
     ~Workers();   // does not wait for one that hangs in a file
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;

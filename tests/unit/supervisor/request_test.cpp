@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
+
+#include "tests/places.hpp"
 
 namespace polyturn::supervisor {
 namespace {
@@ -83,8 +87,21 @@ TEST(Request, AStopIsSeenAtALook) {
     EXPECT_FALSE(is_stop(R"({"do":"press","folder":")" + std::string(kStopLine, 'x') + R"(","words":"reset"})")) << "it acts in its turn";
 }
 
+// docs/shop.md has the table as it is; in the other languages its names.
 TEST(Request, TheManualHasEachRequest) {
-    for (const char* name : {"press", "set", "release", "parameters", "store", "alarms", "who", "logout", "end"}) EXPECT_NE(describe_requests().find("`" + std::string(name) + "`"), std::string::npos) << name;
+    const auto page = [](const char* name) {
+        std::ifstream file(std::string(kSourceFolder) + "/docs/" + name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const std::string table = describe_requests();
+    EXPECT_NE(page("shop.md").find(table), std::string::npos) << table;
+    for (const char* name : {"shop.ru.md", "shop.cs.md", "shop.hu.md"}) {
+        const std::string text = page(name);
+        for (std::size_t at = table.find("| `"); at != std::string::npos; at = table.find("\n| `", at + 1)) {
+            const std::size_t begin = table.find('`', at);
+            EXPECT_NE(text.find("| " + table.substr(begin, table.find('`', begin + 1) - begin + 1)), std::string::npos) << name;
+        }
+    }
 }
 
 }  // namespace
