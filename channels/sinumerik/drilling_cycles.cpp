@@ -110,7 +110,7 @@ bool Interpreter::p_holes(Call& c) {
         if (!drill_at(p + way * std::cos(angle), q + way * std::sin(angle))) return false;
     }
     if (one) at_hole_ = std::make_shared<const HolePattern>(HolePattern{c.arguments, first, holes});   // after_block() calls
-    else moves_before_ = core_.moves();   // MCALL has had its turn
+    else ways_before_ = core_.ways();   // MCALL has had its turn
     return true;
 }
 

@@ -503,7 +503,7 @@ private:
     bool called_ = false;
     std::shared_ptr<const HolePattern> at_hole_;                 // of this block: MCALL calls a program at each hole
     std::uint64_t managed_serial_ = 0;                           // of the block whose T has been executed before the rest of it
-    std::uint64_t moves_before_ = 0;
+    std::uint64_t ways_before_ = 0;
     std::size_t fault_column_ = 0, fault_length_ = 0;
     unsigned depth_ = 0;                                         // of nested brackets
     bool reading_ = false;                                       // words are being computed, nothing has acted
