@@ -158,8 +158,9 @@ bool Interpreter::is_incremental(const Word& word) const {
 }
 
 bool Interpreter::counts_diameter(unsigned place, bool incremental) const {
-    const unsigned status = place < kChannelAxes && modal_.axis_diameter[place] ? modal_.axis_diameter[place]
-                            : static_cast<int>(place) == settings_.diameter_axis ? modal_.active[29] : 1u;
+    const unsigned own = place < kChannelAxes ? modal_.axis_diameter[place] : 0u;   // of an axis without one the channel means its transverse axis
+    const bool as_channel = own == kAsChannel || (own == 0 && static_cast<int>(place) == settings_.diameter_axis);
+    const unsigned status = as_channel ? modal_.active[29] : own ? own : 1u;
     return status == 2 || (status == 3 && !incremental);
 }
 

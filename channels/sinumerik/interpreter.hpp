@@ -193,6 +193,7 @@ private:
     bool parse_word();
     bool parse_letter_word(const char* begin);
     bool parse_named_word(const char* begin, std::string_view name, const Symbol& symbol);
+    static bool names_cycle(std::string_view upper_name);
     bool parse_system_assignment();
     bool write_system(const std::string& name, const std::vector<Value>& indices, Value value, const char* from, std::size_t length, const char* at);
     bool add_g(const GCode* code, const char* begin);

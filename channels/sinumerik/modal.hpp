@@ -17,6 +17,8 @@
 
 namespace polyturn::channels::sinumerik {
 
+inline constexpr std::uint8_t kAsChannel = 0xff;   // DIAMCHANA: the axis follows DIAMON, DIAM90, DIAMOF from now on
+
 // MCALL: called behind each block that moves.
 struct ModalCall {
     std::string name;
@@ -64,7 +66,7 @@ struct Modal {
     double teeth = 0.0;               // $TC_DPNT of the active edge
     bool feed_revolution = false;     // what group 15 makes of F
     std::array<double, kMaxSpindles + 1> asked_rpm{};   // S as programmed in revolutions, or the speed that G97 has kept
-    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
+    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29, or kAsChannel; 0: nothing told
     double path_override = 100, rapid_override = 100;   // OVR, OVRRAP, percent
     bool feed_group_set = false;      // FGROUP: F counts these axes
     AxisSet feed_group = 0;
