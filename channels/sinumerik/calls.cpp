@@ -180,6 +180,7 @@ bool Interpreter::return_from_level() {
         source_->seek(level.begin);
         return true;
     }
+        fresh_ = false;   // a repetition asks the machine anew, as a loop does
     const Level done = std::move(levels_.back());
     levels_.pop_back();
     source_ = &files_->source(levels_.back().file);
