@@ -74,7 +74,7 @@ bool Interpreter::act() {
     for (const Written& one : written_) report_variable(one.name, one.value);   // what they have given back
     written_.clear();
     AxisSet under_way = 0;
-    if (!begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
+    if (!drive_overlays() || !begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
     if (core_.due_at_barrier()) stop_reading();
     if (under_way) core_.arrive(under_way, 0);   // POS: the block ends when they are there
     return functions_after();

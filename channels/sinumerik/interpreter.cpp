@@ -43,6 +43,7 @@ void Interpreter::reset_modal() {
     modal_.master_spindle = core_.path.spindle.spindle = core_.view().config().default_spindle;
     core_.path.tool = {};
     core_.path.tool.nose_off = true;
+    core_.path.wanted = core_.path.vector = {};   // no overlay outlives its program
 }
 
 void Interpreter::activate(unsigned group, unsigned number) { modal_.active[group] = static_cast<std::uint8_t>(number); }
@@ -222,6 +223,7 @@ Step Interpreter::read_block() {
     block_undo_.clear();
     written_.clear();
     written_zeros_.clear();
+    overlays_.clear();
     statement_ = nullptr;
     execute_.clear();
     of_channel_ = false;

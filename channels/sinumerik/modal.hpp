@@ -108,6 +108,9 @@ struct Modal {
     std::optional<ModalCall> call;
     std::shared_ptr<const HolePattern> holes;   // what the next block goes on with
     std::int64_t last_number = 0;
+    std::vector<std::string> told;    // words without effect that this program has been warned of, each once
+    bool hides_steps = false, steps_hidden = false;   // SBLOF; what the machine has been told
+    bool actions_told = false;        // and that synchronized actions act between blocks only
     std::optional<CurveDefinition> curve;   // between CTABDEF and CTABEND
     AxisValues before_curve{};              // what was programmed before it
     GeoModal geo;
@@ -126,6 +129,7 @@ struct Level {
     bool interrupt = false;           // called by an interrupt: the block behind it is read again
     AxisValues begin_of_block{};      // its increments count from here
     bool save = false;                // PROC ... SAVE: modal state comes back
+    bool hides_steps = false;         // PROC ... SBLOF: single block does not stop in it
     std::string name;
     std::shared_ptr<Scope> scope;
     std::shared_ptr<const Modal> saved;

@@ -120,8 +120,10 @@ void Interpreter::spindle_to_axis() {
     core_.sink().aux(stop, core_.at);
 }
 
-// SPCON, SPCOF: position control of a spindle; the drive of a spindle that follows a thread is always in it here.
-bool Interpreter::p_spindle_control(Call& c) {
+// SPCON, SPCOF: position control of a spindle beside what needs it. Here positions, threads and couplings close the loop by themselves, so
+// that SPCOF has nothing to open and SPCON no effect.
+bool Interpreter::p_spindle_control(Call& c) { return p_spindle_speed(c) && p_without_effect(c); }
+bool Interpreter::p_spindle_speed(Call& c) {
     for (const Argument& argument : c.arguments) {
         const double n = argument.value.number;
         if (!argument.given || !(n >= 1 && n <= kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, n);

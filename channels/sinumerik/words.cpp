@@ -245,6 +245,7 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             if (command.function && name != "DELDL" && name != "SETDNO" && name != "GETTENV") return syntax(begin, std::string(name));
             cursor_.advance(name.size());
             Call call;
+            call.column = static_cast<std::uint16_t>(std::min<std::size_t>(cursor_.column(begin), 65535));
             if (!read_arguments(command, call)) return false;
             block_.procedures.emplace_back(&command, std::move(call));
             return true;
@@ -286,6 +287,7 @@ bool Interpreter::add_g(const GCode* code, const char* begin) {
     if (!code->act) return fail_at(Alarm::NotBuilt, begin, length, std::string(code->name));
     block_.coded[code->group] = code;
     block_.codes.push_back(code);
+    block_.code_columns.push_back(static_cast<std::uint16_t>(std::min<std::size_t>(cursor_.column(begin), 65535)));
     return true;
 }
 
