@@ -265,7 +265,7 @@ Step Interpreter::blank_line() {
 
 Step Interpreter::iso_block() {
     jumped_ = called_ = wants_barrier_ = false;
-    const std::uint64_t moves_before = core_.moves();
+    const std::uint64_t ways_before = core_.ways();
     if (!classify()) return fault(core_.fault());
     if (std::exchange(interrupt_fill_, false)) stay_where_left();
     const GCode* one_shot = coded_[static_cast<std::size_t>(GGroup::OneShot)];
@@ -292,17 +292,17 @@ Step Interpreter::iso_block() {
         scan_due_ = false;
         if (!scan_loops()) return fault(core_.fault());
     }
-    return end_block(block_.count != 0, moves_before);
+    return end_block(block_.count != 0, ways_before);
 }
 
 // Behind words and statements: compensation goes on, and the modal subroutine runs where the block has moved.
-Step Interpreter::end_block(bool counts, std::uint64_t moves_before) {
+Step Interpreter::end_block(bool counts, std::uint64_t ways_before) {
     if (core_.reads_ahead() && !core_.end_compensated_block(counts && !called_, wants_barrier_, ended_)) return fault(core_.fault());
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
     }
-    if (!ended_ && core_.moves() != moves_before && modal_.modal_call.kind != ModalCall::Kind::None && !inside_modal_call()) {
+    if (!ended_ && core_.ways() != ways_before && modal_.modal_call.kind != ModalCall::Kind::None && !inside_modal_call()) {
         if (!run_modal_call(repeats_ < 0 ? 1 : repeats_)) return fault(core_.fault());
     }
     if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back

@@ -88,7 +88,7 @@ private:
     // reading and flow (interpreter.cpp)
     Step read_block();
     Step iso_block();
-    Step end_block(bool counts, std::uint64_t moves_before);
+    Step end_block(bool counts, std::uint64_t ways_before);
     Step end_of_text();
     Step blank_line();
     void take_machine();

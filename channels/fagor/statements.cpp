@@ -100,7 +100,7 @@ bool Interpreter::axes_settle(const char* at, const char* end) {
 Step Interpreter::statement_block() {
     jumped_ = called_ = wants_barrier_ = false;
     repeats_ = block_.repeat;
-    const std::uint64_t moves_before = core_.moves();
+    const std::uint64_t ways_before = core_.ways();
     const char* at = line_.data() + block_.statement;
     const char* const end = line_.data() + block_.statement_end;
     const bool asks = !fresh_ && mentions_live_value(at, end), settles = !asks && axes_settle(at, end);
@@ -114,7 +114,7 @@ Step Interpreter::statement_block() {
         return Step::AtBarrier;
     }
     if (flow == Flow::Fault) return fault(core_.fault());
-    return end_block(true, moves_before);
+    return end_block(true, ways_before);
 }
 
 // One statement in a block (12). What jumps or calls asks before it does so: of a block that cannot be read nothing is done.

@@ -141,7 +141,7 @@ bool Interpreter::b_run(const std::vector<BStep>& program) {
     const FeedMode mode = core_.path.feed_mode;
     const double feed = core_.path.feed;
     const bool locked = core_.path.override_locked, exact = core_.path.exact_stop_mode;
-    const std::uint64_t moves = core_.moves();
+    const std::uint64_t ways = core_.ways();
     core_.path.exact_stop_mode = core_.path.override_locked = false;
     core_.signal("OWN_BEGIN", b);
     const bool good = b_steps(program, static_cast<unsigned>(b));
@@ -152,7 +152,7 @@ bool Interpreter::b_run(const std::vector<BStep>& program) {
     core_.path.feed = feed;
     core_.path.override_locked = locked;
     core_.path.exact_stop_mode = exact;
-    b_.moves += core_.moves() - moves;
+    b_.ways += core_.ways() - ways;
     return good;
 }
 

@@ -150,7 +150,7 @@ bool Interpreter::length_word() const {
 Step Interpreter::nc_block() {
     jumped_ = called_ = wants_barrier_ = false;
     core_.did();
-    const std::uint64_t moves_before = core_.moves();
+    const std::uint64_t ways_before = core_.ways();
     bool calls = false;
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
         if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
@@ -166,7 +166,7 @@ Step Interpreter::nc_block() {
         }
     }
     b_.single_now = false;
-    b_.moves = 0;
+    b_.ways = 0;
     if (block_.has('G') && !calls && !b_.registering && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
         for (std::size_t k = 0; k < block_.count; ++k)
             if (block_.words[k].axis < 0 && block_.words[k].address == 'G' && block_.words[k].value == 110) {
@@ -243,7 +243,7 @@ Step Interpreter::nc_block() {
         if (!per_block_call()) return fault(core_.fault());
     } else if (!ended_ && !called_ && !modal_calls_.empty()) {
         const ModalCall& modal = modal_calls_.back();
-        if (!modal.every_block && core_.moves() - b_.moves != moves_before) {
+        if (!modal.every_block && core_.ways() - b_.ways != ways_before) {
             const LocalSet arguments = modal.arguments;
             if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P')) return fault(core_.fault());
         }

@@ -157,7 +157,7 @@ struct BPrograms {
     std::vector<BStep> draft;
     unsigned registering = 0;              // 1 to 3
     bool single_before = false, single_now = false;
-    std::uint64_t moves = 0;               // handed over in this block: G66 does not follow them
+    std::uint64_t ways = 0;                // handed over in this block: G66 does not follow them
 };
 
 struct Interruption {             // an interrupt program runs

@@ -54,22 +54,43 @@ bool Interpreter::p_geometry_axes(Call& c) {
     return true;
 }
 
-// BRISKA, SOFTA, DRIVEA, JERKA: the kernel keeps the jerk of each axis whatever they say.
-bool Interpreter::p_axis_profile(Call& c) {
-    const std::string_view name = block_.procedures.back().first->name;
+bool Interpreter::axes_only(const Call& c) {
     for (std::size_t k = 0; k < c.arguments.size(); ++k)
-        if (!c.has(k) || c.value(k).type != Type::Axis) return fail(Alarm::AxisArgumentMissing, std::string(name));
+        if (!c.has(k) || c.value(k).type != Type::Axis) return fail(Alarm::AxisArgumentMissing, std::string(block_.procedures.back().first->name));
     return true;
 }
 
-bool Interpreter::p_without_effect(Call&) {
+// SOFTA, JERKA: the kernel keeps the jerk of each axis whatever is said. BRISKA, DRIVEA: so they have no effect.
+bool Interpreter::p_soft_axes(Call& c) { return axes_only(c); }
+bool Interpreter::p_profile_without_effect(Call& c) { return axes_only(c) && p_without_effect(c); }
+
+bool Interpreter::p_without_effect(Call& c) {
     const std::string name(block_.procedures.back().first->name);
-    core_.mark_emitted();
-    core_.sink().alarm({Alarm::WordWithoutEffect, {files_->path(levels_.back().file), core_.at.line, 0, 0}, {}, name}, core_.at);
+    return without_effect(name, c.column, c.column ? name.size() : 0);
+}
+
+// $AA_OFF[axis]: a position that lies over the path, true mm or degrees (sinumerik_part2 13.11). The axis goes there in rapid where the block or
+// action that says so is done; the programmed numbers do not know of it until CORROF hands it over to them.
+bool Interpreter::write_overlay(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, const Value& value) {
+    if (indices.size() != 1 || indices[0].type != Type::Axis || indices[0].place() >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+    undo([this, before = overlays_] { overlays_ = before; });
+    overlays_.push_back({static_cast<std::size_t>(indices[0].place()), value.number});
+    written_.push_back({name + "[" + axis_name(indices[0].place()) + "]", value});
     return true;
 }
 
-// DRFOF, CORROF(axis, "DRF" | "AA_OFF" ...): there are no overlaid motions; what is left is their stop.
+bool Interpreter::drive_overlays() {
+    if (overlays_.empty()) return true;
+    if (core_.compensating() || core_.transformed()) return fail(Alarm::NotBuilt, "$AA_OFF, G41 G42 TRANSMIT");
+    AxisValues wanted = core_.path.wanted;
+    for (const Overlay& one : overlays_) wanted[one.place] = one.mm;
+    overlays_.clear();
+    core_.set_wanted(wanted);
+    state_changed_ = true;
+    return !core_.vector_pending() || core_.travel_offset(true);
+}
+
+// DRFOF, CORROF(axis, "DRF" | "AA_OFF" ...): no axis moves; what lay over the path belongs to the programmed position now. There is no DRF.
 bool Interpreter::p_overlay_off(Call& c) {
     if (c.arguments.size() % 2 != 0) return fail(Alarm::ArgumentCountIllegal, "CORROF", static_cast<double>(c.arguments.size()));
     for (std::size_t k = 0; k < c.arguments.size(); k += 2) {
@@ -77,6 +98,13 @@ bool Interpreter::p_overlay_off(Call& c) {
         if (!axis_argument(c, k, "CORROF", place)) return false;
         const std::string which = c.has(k + 1) ? upper(c.value(k + 1).text) : std::string();
         if (which != "DRF" && which != "AA_OFF") return fail(Alarm::FunctionArgument, "CORROF: " + which, static_cast<double>(k + 2));
+        if (which == "DRF") continue;
+        if (core_.compensating()) return fail(Alarm::CodesContradict, "CORROF, G41, G42");
+        AxisValues wanted = core_.path.wanted;
+        wanted[place] = 0.0;
+        core_.set_wanted(wanted);
+        core_.take_wanted();
+        state_changed_ = true;
     }
     return p_stopre(c);
 }

@@ -74,7 +74,7 @@ bool Interpreter::act() {
     for (const Written& one : written_) report_variable(one.name, one.value);   // what they have given back
     written_.clear();
     AxisSet under_way = 0;
-    if (!begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
+    if (!drive_overlays() || !begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
     if (core_.due_at_barrier()) stop_reading();
     if (under_way) core_.arrive(under_way, 0);   // POS: the block ends when they are there
     return functions_after();
@@ -158,8 +158,9 @@ bool Interpreter::is_incremental(const Word& word) const {
 }
 
 bool Interpreter::counts_diameter(unsigned place, bool incremental) const {
-    const unsigned status = place < kChannelAxes && modal_.axis_diameter[place] ? modal_.axis_diameter[place]
-                            : static_cast<int>(place) == settings_.diameter_axis ? modal_.active[29] : 1u;
+    const unsigned own = place < kChannelAxes ? modal_.axis_diameter[place] : 0u;   // of an axis without one the channel means its transverse axis
+    const bool as_channel = own == kAsChannel || (own == 0 && static_cast<int>(place) == settings_.diameter_axis);
+    const unsigned status = as_channel ? modal_.active[29] : own ? own : 1u;
     return status == 2 || (status == 3 && !incremental);
 }
 

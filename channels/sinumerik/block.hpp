@@ -30,6 +30,7 @@ struct Word {
 struct Block {
     std::vector<Word> words;
     std::vector<const GCode*> codes;                       // in the order of the text
+    std::vector<std::uint16_t> code_columns;               // where they stand, bytes from 1
     std::array<const GCode*, kGroups> coded{};             // by group
     std::vector<std::pair<const Command*, Call>> procedures;
     struct ProgramCall {
@@ -38,7 +39,7 @@ struct Block {
         bool wanted = false;
     } program;
     bool assigns = false;             // it has assignments
-    void clear() { words.clear(), codes.clear(), coded.fill(nullptr), procedures.clear(), program = {}, assigns = false; }
+    void clear() { words.clear(), codes.clear(), code_columns.clear(), coded.fill(nullptr), procedures.clear(), program = {}, assigns = false; }
     const GCode* group(unsigned number) const { return coded[number]; }
 };
 

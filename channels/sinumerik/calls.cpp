@@ -67,6 +67,7 @@ bool Interpreter::call_program(const std::string& name, std::vector<Argument> ar
     source_->seek(level.begin);
     levels_.push_back(std::move(level));
     called_ = jumped_ = state_changed_ = true;
+    tell_single_block();
     return true;
 }
 
@@ -164,7 +165,9 @@ bool Interpreter::read_proc(const std::string& name, std::vector<Argument>& argu
         const std::string attribute = upper(cursor_.name_ahead());
         if (attribute.empty()) return syntax(cursor_.at());
         if (attribute == "SAVE") level.save = true;
-        else if (attribute != "DISPLOF" && attribute != "DISPLON" && attribute != "SBLOF" && attribute != "SBLON" && attribute != "PREPRO" && attribute != "ACTBLOCNO") return syntax(cursor_.at(), attribute);
+        else if (attribute == "SBLOF") level.hides_steps = true;
+        else if (attribute == "DISPLOF") without_effect(attribute, 0, 0);   // the running block is shown always
+        else if (attribute != "DISPLON" && attribute != "SBLON" && attribute != "PREPRO" && attribute != "ACTBLOCNO") return syntax(cursor_.at(), attribute);
         cursor_.advance(attribute.size());
     }
     return true;
@@ -177,6 +180,7 @@ bool Interpreter::return_from_level() {
     called_ = jumped_ = state_changed_ = true;
     if (level.repeats > 0) {
         --level.repeats;
+        fresh_ = false;   // a repetition asks the machine anew, as a loop does
         source_->seek(level.begin);
         return true;
     }
@@ -186,6 +190,7 @@ bool Interpreter::return_from_level() {
     source_->seek(done.resume);
     here_ = done.call;
     modal_.holes = done.holes;
+    tell_single_block();
     if (done.interrupt) {
         core_.path.programmed = done.begin_of_block;
         arm_interrupts();   // no signal counts while the routine runs

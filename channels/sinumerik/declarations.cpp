@@ -358,7 +358,7 @@ bool Interpreter::st_mcall() {
     }
     if (cursor_.peek() == '(' && !read_program_arguments(name, call.arguments)) return false;
     if (!rest_must_be_empty()) return false;
-    if (!files_->find_name(name) && !files_->find_name(name + ".SPF")) return fail_at(Alarm::SubprogramMissing, at, name.size(), name);
+    if (!files_->find_name(name) && !files_->find_name(name + ".SPF")) return fail_at(names_cycle(name) ? Alarm::NotBuilt : Alarm::SubprogramMissing, at, name.size(), names_cycle(name) ? "MCALL " + name : name);
     modal_.call = std::move(call);
     return true;
 }

@@ -11,9 +11,11 @@
 
 namespace polyturn::channels::sinumerik {
 
-// What all of them have in common; the hole's position is where the axes stand.
+// What all of them have in common; the hole's position is where the axes stand. A parameter whose 0 would mean nothing is not given by 0,
+// as the control's own screens write it: DPR, DTB, FFR, RFF.
 bool Interpreter::hole_of(const Call& c, cycles::Drilling& hole) {
-    if (!c.has(0) || !c.has(1) || (!c.has(3) && !c.has(4))) return fail(Alarm::ArgumentCountIllegal, std::string(core_.at.cycle), static_cast<double>(c.arguments.size()));
+    const bool below = c.number(4) != 0;   // DPR, otherwise DP
+    if (!c.has(0) || !c.has(1) || (!c.has(3) && !below)) return fail(Alarm::ArgumentCountIllegal, std::string(core_.at.cycle), static_cast<double>(c.arguments.size()));
     if (core_.compensating()) return fail(Alarm::CodesContradict, std::string(core_.at.cycle) + ", G41, G42");
     if (!update_feed()) return false;   // the block itself may have been a rapid one
     static constexpr PlaneRole kApplicates[] = {PlaneRole::BasicZ, PlaneRole::BasicY, PlaneRole::BasicX};   // G17, G18, G19
@@ -26,9 +28,9 @@ bool Interpreter::hole_of(const Call& c, cycles::Drilling& hole) {
     hole.axis = static_cast<unsigned>(place);
     hole.initial = retract;
     hole.r_level = surface + away * safety;
-    hole.bottom = c.has(4) ? surface - away * std::fabs(c.number(4)) * unit() : c.number(3) * unit();
+    hole.bottom = below ? surface - away * std::fabs(c.number(4)) * unit() : c.number(3) * unit();
     const bool between = away * (hole.initial - hole.r_level) >= 0 && away * (surface - hole.bottom) > 0;
-    if (!between) return fail(Alarm::CycleValueIllegal, std::string(core_.at.cycle) + " RTP, RFP, DP", c.has(4) ? c.number(4) : c.number(3));
+    if (!between) return fail(Alarm::CycleValueIllegal, std::string(core_.at.cycle) + " RTP, RFP, DP", below ? c.number(4) : c.number(3));
     AxisValues deepest = core_.path.programmed;
     for (const double level : {hole.r_level, hole.bottom, hole.initial}) {
         deepest[hole.axis] = level;
@@ -64,7 +66,7 @@ bool Interpreter::p_cycle85(Call& c) {
     if (!hole_of(c, hole)) return false;
     dwell_of(c, hole);
     const double modal = core_.path.feed;
-    const double in = c.has(6) ? c.number(6) * feed_unit() : modal, out = c.has(7) ? c.number(7) * feed_unit() : in;
+    const double in = c.number(6) != 0 ? c.number(6) * feed_unit() : modal, out = c.number(7) != 0 ? c.number(7) * feed_unit() : in;
     if (!(in > 0) || !(out > 0)) return fail(Alarm::CycleValueIllegal, "CYCLE85 FFR, RFF", in > 0 ? out : in);
     hole.way_out = cycles::Drilling::Way::Feed;
     hole.way_out_factor = out / in;
@@ -110,7 +112,7 @@ bool Interpreter::p_holes(Call& c) {
         if (!drill_at(p + way * std::cos(angle), q + way * std::sin(angle))) return false;
     }
     if (one) at_hole_ = std::make_shared<const HolePattern>(HolePattern{c.arguments, first, holes});   // after_block() calls
-    else moves_before_ = core_.moves();   // MCALL has had its turn
+    else ways_before_ = core_.ways();   // MCALL has had its turn
     return true;
 }
 

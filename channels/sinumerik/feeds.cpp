@@ -73,13 +73,16 @@ bool Interpreter::a_axis_diameter(const Word& word) {
     const std::string_view name = word.address->name;
     const bool released = (params::get(core_.view().table(), params::md30460, core_.view().axes[i].machine_axis + 1u) & 4) != 0;
     if (core_.view().axes[i].rotary || !released) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
-    modal_.axis_diameter[i] = name == "DIAMONA" ? 2 : name == "DIAM90A" ? 3 : name == "DIAMOFA" ? 1 : name == "DIACYCOFA" ? 4 : 0;   // DIAMCHANA: as the channel
+    modal_.axis_diameter[i] = name == "DIAMONA" ? 2 : name == "DIAM90A" ? 3 : name == "DIAMOFA" ? 1 : name == "DIACYCOFA" ? 4 : kAsChannel;
     core_.at.display_swapped = display_swapped();
     return true;
 }
 
-bool Interpreter::p_diamchan(Call&) {
-    modal_.axis_diameter = {};
+bool Interpreter::p_diamchan(Call&) {   // all released axes as DIAMCHANA (9.3.7)
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+        const bool released = (params::get(core_.view().table(), params::md30460, core_.view().axes[i].machine_axis + 1u) & 4) != 0;
+        modal_.axis_diameter[i] = released && !core_.view().axes[i].rotary ? kAsChannel : 0;
+    }
     core_.at.display_swapped = display_swapped();
     return true;
 }

@@ -22,7 +22,14 @@ bool is_surface(unsigned number) { return number == 4 || number == 7 || number =
 
 }  // namespace
 
-bool Interpreter::g_nothing(const GCode&) { return true; }
+bool Interpreter::g_mode(const GCode&) { return true; }
+bool Interpreter::g_as_machine(const GCode&) { return true; }
+bool Interpreter::g_without_effect(const GCode& code) {
+    for (std::size_t k = 0; k < block_.codes.size(); ++k)   // not where a return restores it
+        if (block_.codes[k] == &code) return without_effect(std::string(code.name), block_.code_columns[k], code.name.size());
+    return true;
+}
+bool Interpreter::g_as_continuous(const GCode& code) { return g_exact_stop(code) && g_without_effect(code); }
 bool Interpreter::geo_not_built(const GCode& code) { return axis_words() == 0 || fail(Alarm::NotBuilt, std::string(code.name)); }
 bool Interpreter::g_units(const GCode&) { return true; }
 bool Interpreter::g_distance(const GCode&) { return true; }
@@ -153,7 +160,9 @@ bool Interpreter::motion_changes(const GCode& to) {
     return true;
 }
 
-bool Interpreter::a_nothing(const Word&) { return true; }
+bool Interpreter::a_elsewhere(const Word&) { return true; }
+bool Interpreter::a_as_machine(const Word&) { return true; }
+bool Interpreter::a_rounding(const Word& word) { return word.number() == 0 || a_without_effect(word); }   // ADIS=0: as G64
 // TCARR=0, CUTMOD=0 at the head of a program: no holder that turns the tool. There is none that it could be turned by.
 bool Interpreter::a_no_holder(const Word& word) { return word.number() == 0 || fail_word(Alarm::NotBuilt, word, std::string(word.address->name)); }
 

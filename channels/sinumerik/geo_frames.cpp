@@ -330,6 +330,17 @@ bool Interpreter::f_crots(Call& call) {
     return true;
 }
 
+// A frame of the control that this one does not have: ADDFRAME's 2. Any other text is wrong: 1.
+static bool is_other_frame(std::string_view target) {
+    static constexpr std::string_view kNames[] = {"TRAFR", "PARTFR", "SETFR", "EXTFR", "TOOLFR", "WPFR", "CYCFR", "CHBFR", "NCBFR", "GFR", "ISO1FR", "ISO2FR", "ISO3FR", "ISO4FR", "RELFR"};
+    if (!target.starts_with("$P_")) return false;
+    target.remove_prefix(3);
+    if (const auto bracket = target.find('['); bracket != std::string_view::npos && target.ends_with(']')) target = target.substr(0, bracket);
+    for (const std::string_view name : kNames)
+        if (target == name || (target.starts_with(name) && target.substr(name.size()) == "AME")) return true;
+    return false;
+}
+
 // ADDFRAME(frame, "$P_PFRAME", "$P_UIFR[1]"): what was the whole chain before is now that chain with the frame behind it.
 bool Interpreter::f_addframe(Call& call) {
     static const FrameValue kNone;
@@ -341,7 +352,7 @@ bool Interpreter::f_addframe(Call& call) {
         if (number >= settings_.frames) return answer(2);
         return add_to_settable(number, added) && answer(0);
     }
-    if (target != "$P_PFRAME" && target != "$P_ACTBFRAME" && target != "$P_BFRAME") return answer(target.starts_with("$P_") ? 2 : 1);
+    if (target != "$P_PFRAME" && target != "$P_ACTBFRAME" && target != "$P_BFRAME") return answer(is_other_frame(target) ? 2 : 1);
     const GeoModal before = geo;
     undo([this, before] {
         modal_.geo.frame = before.frame, modal_.geo.exact = before.exact;

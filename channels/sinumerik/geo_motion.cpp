@@ -1,5 +1,6 @@
 // Straight lines: end points in Cartesian and polar words, contour lines by their angle, and what every contour move of
 // the language has in common (sinumerik_part1 10, part 2 10.9 and 10.12).
+#include <algorithm>
 #include <cmath>
 
 #include "channels/angles.hpp"
@@ -350,9 +351,17 @@ bool Interpreter::a_geometry(const Word& word) {
 }
 
 bool Interpreter::a_without_effect(const Word& word) {
+    const std::string number = word.address->name == "F" && word.index >= 0 ? std::to_string(word.index) : std::string();   // F2 to F7
+    return without_effect(std::string(word.address->name) + number, word.column, word.length);
+}
+
+bool Interpreter::without_effect(std::string name, std::size_t column, std::size_t length) {
+    std::vector<std::string>& told = modal_.told;
+    if (std::find(told.begin(), told.end(), name) != told.end()) return true;
     core_.mark_emitted();
-    core_.sink().alarm({Alarm::WordWithoutEffect, {files_->path(levels_.back().file), core_.at.line, word.column, word.length}, {}, std::string(word.address->name)}, core_.at);
-    return true;
+    core_.sink().alarm({Alarm::WordWithoutEffect, {files_->path(levels_.back().file), core_.at.line, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(length)}, {}, name}, core_.at);
+    told.push_back(std::move(name));
+    return state_changed_ = true;
 }
 
 }  // namespace polyturn::channels::sinumerik

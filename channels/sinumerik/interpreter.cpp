@@ -43,6 +43,7 @@ void Interpreter::reset_modal() {
     modal_.master_spindle = core_.path.spindle.spindle = core_.view().config().default_spindle;
     core_.path.tool = {};
     core_.path.tool.nose_off = true;
+    core_.path.wanted = core_.path.vector = {};   // no overlay outlives its program
 }
 
 void Interpreter::activate(unsigned group, unsigned number) { modal_.active[group] = static_cast<std::uint8_t>(number); }
@@ -217,11 +218,12 @@ Step Interpreter::read_block() {
     at.line = here_.line;
     at.block = -1;
     at.cycle = {};
-    moves_before_ = core_.moves();
+    ways_before_ = core_.ways();
     block_.clear();
     block_undo_.clear();
     written_.clear();
     written_zeros_.clear();
+    overlays_.clear();
     statement_ = nullptr;
     execute_.clear();
     of_channel_ = false;
@@ -327,14 +329,14 @@ Step Interpreter::after_block(bool ok) {
         }
         if (core_.transformation_failed()) return fault(core_.fault());
     }
-    if (!ended_ && !called_ && modal_.call && modal_.call->cycle && core_.moves() != moves_before_ && !modal_cycle()) return fault(core_.fault());
+    if (!ended_ && !called_ && modal_.call && modal_.call->cycle && core_.ways() != ways_before_ && !modal_cycle()) return fault(core_.fault());
     if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
     }
     const bool calls = modal_.call && !modal_.call->cycle && std::ranges::none_of(levels_, &Level::modal_call);   // nothing that it calls calls it
-    if (!ended_ && !called_ && calls && (core_.moves() != moves_before_ || at_hole_)) {
+    if (!ended_ && !called_ && calls && (core_.ways() != ways_before_ || at_hole_)) {
         const ModalCall call = *modal_.call;
         if (!call_program(call.name, call.arguments, 1, true)) return fault(core_.fault());
         if (at_hole_ && at_hole_->more()) {   // behind it the block of the pattern comes again

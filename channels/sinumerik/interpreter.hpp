@@ -86,12 +86,16 @@ public:
     int find_axis(std::string_view name) const;                               // place, kSpindleAxis + n, or -1
     std::string axis_name(int place) const;
     void zeros_change(const std::function<void()>& change);                   // keeps what SD42440 may have to travel
+    bool without_effect(std::string name, std::size_t column, std::size_t length);   // warns, once a program
+    void tell_single_block();
+    bool axes_only(const Call& c);                                                   // each argument is an axis
     void stop_reading() { wants_barrier_ = true; }                            // AtBarrier behind this block
     void report_variable(const std::string& name, const Value& value);
     bool update_feed();                                                       // Core's feed from F, FZ, FB and group 15
 
     // --- G commands (g_settings.cpp)
-    bool g_nothing(const GCode&), g_units(const GCode&), g_plane(const GCode&), g_distance(const GCode&);
+    bool g_mode(const GCode&), g_as_machine(const GCode&), g_as_continuous(const GCode&), g_without_effect(const GCode&);   // what becomes of a word: rows_g.cpp
+    bool g_units(const GCode&), g_plane(const GCode&), g_distance(const GCode&);
     bool g_feed_type(const GCode&), g_diameter(const GCode&), g_exact_stop(const GCode&), g_exact_once(const GCode&);
     bool g_zero(const GCode&);
 
@@ -106,7 +110,7 @@ public:
 
     // --- addresses (settings_words.cpp, tools.cpp, spindles.cpp)
     bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
-    bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&), a_no_holder(const Word&);
+    bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_elsewhere(const Word&), a_as_machine(const Word&), a_rounding(const Word&), a_no_holder(const Word&);
     bool a_cutting_speed(const Word&), a_surface_axis(const Word&), a_limit(const Word&), a_spindle_position(const Word&);
     double spindle_feed_rpm(std::uint16_t spindle) const;
     bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
@@ -140,7 +144,7 @@ public:
     static int edge_of_d(const Tool& tool, int d);                          // 0: no edge has this D number
     bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
     bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_calcdat(Call&), f_calcposi(Call&);
-    bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
+    bool p_preset(Call&), p_geometry_axes(Call&), p_soft_axes(Call&), p_profile_without_effect(Call&), p_single_block(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
     bool p_tool_of_spindle(Call&), p_lift_axes(Call&), p_feed_per_revolution(Call&), p_axis_per_revolution(Call&);
     bool f_crots(Call&), f_addframe(Call&);
     bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
@@ -156,9 +160,9 @@ public:
     bool p_swivel(Call&), p_axis_to_channel(Call&), p_tangential(Call&);
     bool p_gear_define(Call&), p_gear_on(Call&), p_gear_off(Call&);
     bool p_cycle81(Call&), p_cycle82(Call&), p_cycle85(Call&), p_holes(Call&);   // drilling_cycles.cpp
-    bool p_set_marker(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
+    bool p_set_marker(Call&), p_as_machine(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_reset_monitoring(Call& c);
-    bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_wrtpr(Call&);
+    bool p_spindle_control(Call&), p_spindle_speed(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_wrtpr(Call&);
     bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool p_coupling(Call&), f_posrange(Call&);   // couplings.cpp
     bool spindle_pair(const Call& c, std::uint16_t& follows, std::uint16_t& leads);
@@ -189,6 +193,7 @@ private:
     bool rest_must_be_empty();
 
     // words of a block (words.cpp, block.cpp)
+    static bool names_cycle(std::string_view upper_name);
     bool parse_words();
     bool parse_word();
     bool parse_letter_word(const char* begin);
@@ -447,7 +452,15 @@ private:
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
     bool action_may_be_told(bool& deletes_way);
+    void split_dwell();
     bool asks_positions_only(Cursor condition, std::size_t end);                // delete_way.cpp
+    struct Overlay {
+        std::size_t place = 0;
+        double mm = 0.0;
+    };
+    std::vector<Overlay> overlays_;                              // $AA_OFF written by what is being done, still to be driven
+    bool write_overlay(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, const Value& value);
+    bool drive_overlays();
     bool way_deleted_ = false;                                   // the way of this block: DELDTG is due before it begins
     bool deletes_way() const, holds_at(const SynchronizedAction& action, const AxisValues& point, bool& holds), cut_way(AxisValues& target);
     bool machine_there();
@@ -503,7 +516,7 @@ private:
     bool called_ = false;
     std::shared_ptr<const HolePattern> at_hole_;                 // of this block: MCALL calls a program at each hole
     std::uint64_t managed_serial_ = 0;                           // of the block whose T has been executed before the rest of it
-    std::uint64_t moves_before_ = 0;
+    std::uint64_t ways_before_ = 0;
     std::size_t fault_column_ = 0, fault_length_ = 0;
     unsigned depth_ = 0;                                         // of nested brackets
     bool reading_ = false;                                       // words are being computed, nothing has acted

@@ -17,6 +17,8 @@
 
 namespace polyturn::channels::sinumerik {
 
+inline constexpr std::uint8_t kAsChannel = 0xff;   // DIAMCHANA: the axis follows DIAMON, DIAM90, DIAMOF from now on
+
 // MCALL: called behind each block that moves.
 struct ModalCall {
     std::string name;
@@ -64,7 +66,7 @@ struct Modal {
     double teeth = 0.0;               // $TC_DPNT of the active edge
     bool feed_revolution = false;     // what group 15 makes of F
     std::array<double, kMaxSpindles + 1> asked_rpm{};   // S as programmed in revolutions, or the speed that G97 has kept
-    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
+    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29, or kAsChannel; 0: nothing told
     double path_override = 100, rapid_override = 100;   // OVR, OVRRAP, percent
     bool feed_group_set = false;      // FGROUP: F counts these axes
     AxisSet feed_group = 0;
@@ -106,6 +108,9 @@ struct Modal {
     std::optional<ModalCall> call;
     std::shared_ptr<const HolePattern> holes;   // what the next block goes on with
     std::int64_t last_number = 0;
+    std::vector<std::string> told;    // words without effect that this program has been warned of, each once
+    bool hides_steps = false, steps_hidden = false;   // SBLOF; what the machine has been told
+    bool actions_told = false;        // and that synchronized actions act between blocks only
     std::optional<CurveDefinition> curve;   // between CTABDEF and CTABEND
     AxisValues before_curve{};              // what was programmed before it
     GeoModal geo;
@@ -124,6 +129,7 @@ struct Level {
     bool interrupt = false;           // called by an interrupt: the block behind it is read again
     AxisValues begin_of_block{};      // its increments count from here
     bool save = false;                // PROC ... SAVE: modal state comes back
+    bool hides_steps = false;         // PROC ... SBLOF: single block does not stop in it
     std::string name;
     std::shared_ptr<Scope> scope;
     std::shared_ptr<const Modal> saved;

@@ -3,10 +3,25 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::sinumerik {
 
-bool Interpreter::p_nothing(Call&) { return true; }
+bool Interpreter::p_as_machine(Call&) { return true; }
+
+// SBLOF: single block does not stop until SBLON, or in the subprogram whose PROC says so (sinumerik_part3 7.12).
+void Interpreter::tell_single_block() {
+    const bool hides = modal_.hides_steps || std::ranges::any_of(levels_, &Level::hides_steps);
+    if (hides == modal_.steps_hidden) return;
+    modal_.steps_hidden = hides;
+    core_.tell_control(hides ? kControlNoSingleBlock : 0u);
+}
+
+bool Interpreter::p_single_block(Call&) {
+    modal_.hides_steps = block_.procedures.front().first->name == "SBLOF";
+    tell_single_block();
+    return true;
+}
 
 // The second argument of MSG and WRTPR: 0 with the next block, 1 in a block of its own (sinumerik_part2 15.1); here the same.
 bool Interpreter::told_when(const Call& c, std::string_view name) {
@@ -83,7 +98,8 @@ bool Interpreter::p_setms(Call& c) {
 bool Interpreter::p_master_holder(Call& c) {
     const auto holders = static_cast<double>(params::get(core_.view().table(), params::md20124, core_.view().channel));
     const double n = c.number(0, 1.0);
-    return (n >= 1 && n <= std::fmax(holders, 1.0) && n == std::floor(n)) || fail(Alarm::ValueOutOfRange, "SETMTH", n);
+    if (!(n >= 1 && n <= std::fmax(holders, 1.0) && n == std::floor(n))) return fail(Alarm::ValueOutOfRange, "SETMTH", n);
+    return n == 1 || p_without_effect(c);   // tools are changed where the channel's tool management changes them
 }
 
 // --- between channels

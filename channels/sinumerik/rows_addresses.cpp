@@ -1,4 +1,6 @@
-// Rows of the addresses that are no geometry: feeds, spindles, tools, auxiliary functions (sinumerik_part3 5).
+// Rows of the addresses that are no geometry: feeds, spindles, tools, auxiliary functions (sinumerik_part3 5). Of what becomes of a word
+// the handler tells, as in rows_g.cpp: a_without_effect warns (a_rounding: unless 0 is asked for), a_as_machine asks for what this machine does
+// anyway, a_elsewhere acts with the motion of its block; TCARR and CUTMOD take 0 only.
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -27,9 +29,9 @@ constexpr Address kAddressRows[] = {
     {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
     {"AX", Index::Axis, Use::Block, nullptr, true, true},   // an axis word by a variable
     {"IP", Index::Axis, Use::Block, nullptr, true, true},   // I J K by a variable
-    {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven beside the path: start_positioning()
-    {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
-    {"POSP", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
+    {"POS", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},    // driven beside the path: start_positioning()
+    {"POSA", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},
+    {"POSP", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},
     {"FD", Index::None, Use::Setting, &Interpreter::a_handwheel_feed, false},
     {"FDA", Index::Axis, Use::Setting, &Interpreter::a_handwheel_feed, false, true},
     {"FXST", Index::Axis, Use::Setting, &Interpreter::a_stop_torque, false, true},
@@ -56,17 +58,17 @@ constexpr Address kAddressRows[] = {
     {"FMA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},   // FMA[2, axis]
     {"STA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
     {"SRA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
-    {"FINEA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},      // they end exactly
-    {"COARSEA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},
-    {"IPOENDA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},
+    {"FINEA", Index::Spindle, Use::Setting, &Interpreter::a_as_machine, true, true, true},   // positioning axes end exactly
+    {"COARSEA", Index::Spindle, Use::Setting, &Interpreter::a_without_effect, true, true, true},
+    {"IPOENDA", Index::Spindle, Use::Setting, &Interpreter::a_without_effect, true, true, true},
     {"POLF", Index::Axis, Use::Setting, &Interpreter::a_lift_position, true, true},
     {"DIAMONA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAM90A", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAMOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIACYCOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAMCHANA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
-    {"ADIS", Index::None, Use::Setting, &Interpreter::a_nothing, false},      // corners are rounded within PT_PATH_TOL, which is less
-    {"ADISPOS", Index::None, Use::Setting, &Interpreter::a_nothing, false},
+    {"ADIS", Index::None, Use::Setting, &Interpreter::a_rounding, false},     // corners are rounded within PT_PATH_TOL
+    {"ADISPOS", Index::None, Use::Setting, &Interpreter::a_rounding, false},
     {"LIMS", Index::Spindle, Use::Setting, &Interpreter::a_limit, false, true},
     {"SVC", Index::Spindle, Use::Setting, &Interpreter::a_cutting_speed, false, true},
     {"SCC", Index::Axis, Use::Setting, &Interpreter::a_surface_axis, true, false, true},

@@ -131,14 +131,14 @@ constexpr Command kCommandRows[] = {
     {"PRESETON", false, 2, 16, "ar+", &I::p_preset, true},
     {"PRESETONS", false, 2, 16, "ar+", &I::p_preset, true},
     {"GEOAX", false, 0, 6, "ra+", &I::p_geometry_axes, true},
-    {"BRISKA", false, 1, 8, "a", &I::p_axis_profile},
-    {"SOFTA", false, 1, 8, "a", &I::p_axis_profile},
-    {"DRIVEA", false, 1, 8, "a", &I::p_axis_profile},
-    {"JERKA", false, 1, 8, "a", &I::p_axis_profile},
-    {"IPOBRKA", false, 1, 2, "ar", &I::p_nothing, true},   // positioning axes end exactly
+    {"BRISKA", false, 1, 8, "a", &I::p_profile_without_effect},
+    {"SOFTA", false, 1, 8, "a", &I::p_soft_axes},
+    {"DRIVEA", false, 1, 8, "a", &I::p_profile_without_effect},
+    {"JERKA", false, 1, 8, "a", &I::p_soft_axes},
+    {"IPOBRKA", false, 1, 2, "ar", &I::p_without_effect, true},   // positioning axes end exactly
     {"NEWCONF", false, 0, 0, "", &I::p_stopre, true},      // parameters act at barriers
-    {"IPTRLOCK", false, 0, 0, "", &I::p_nothing},          // a block search begins at any block
-    {"IPTRUNLOCK", false, 0, 0, "", &I::p_nothing},
+    {"IPTRLOCK", false, 0, 0, "", &I::p_without_effect},   // a block search begins at any block
+    {"IPTRUNLOCK", false, 0, 0, "", &I::p_as_machine},
     {"FPR", false, 0, 1, "a", &I::p_feed_per_revolution},
     {"FPRAON", false, 1, 2, "a", &I::p_axis_per_revolution},
     {"FPRAOF", false, 1, 8, "a", &I::p_axis_per_revolution},
@@ -175,8 +175,8 @@ constexpr Command kCommandRows[] = {
     {"GWPSON", false, 0, 1, "r", &I::p_wheel_speed},
     {"GWPSOF", false, 0, 1, "r", &I::p_wheel_speed},
     {"TMOF", false, 0, 1, "r", &I::p_without_effect},
-    {"ACTBLOCNO", false, 0, 0, "", &I::p_nothing},
-    {"WAITENC", false, 0, 0, "", &I::p_nothing},           // axes are referenced before a cycle start
+    {"ACTBLOCNO", false, 0, 0, "", &I::p_as_machine},      // an alarm names its block always
+    {"WAITENC", false, 0, 0, "", &I::p_as_machine},        // axes are referenced before a cycle start
     {"TRAILON", false, 2, 3, "aar", &I::p_trail, true},
     {"TRAILOF", false, 1, 2, "aa", &I::p_trail, true},
     {"EGDEF", false, 3, 11, "*", &I::p_gear_define, true},
@@ -193,12 +193,12 @@ constexpr Command kCommandRows[] = {
     {"TLIFT", false, 1, 1, "a", &I::p_tangential, true},
     {"GETSELT", false, 1, 2, "vr", &I::p_tool_of_spindle},
     {"GETEXET", false, 1, 2, "vr", &I::p_tool_of_spindle},
-    {"SBLOF", false, 0, 0, "", &I::p_nothing},
-    {"SBLON", false, 0, 0, "", &I::p_nothing},
+    {"SBLOF", false, 0, 0, "", &I::p_single_block},
+    {"SBLON", false, 0, 0, "", &I::p_single_block},
     {"SETMS", false, 0, 1, "r", &I::p_setms, true},
     {"SETMTH", false, 0, 1, "r", &I::p_master_holder, true},
     {"SPCON", false, 0, 8, "r", &I::p_spindle_control},
-    {"SPCOF", false, 0, 8, "r", &I::p_spindle_control},
+    {"SPCOF", false, 0, 8, "r", &I::p_spindle_speed},
     {"WAITM", false, 1, 17, "r*", &I::p_wait_marker, true},
     {"WAITMC", false, 1, 17, "r*", &I::p_wait_marker, true},
     {"WAITE", false, 1, 16, "*", &I::p_wait_end, true},

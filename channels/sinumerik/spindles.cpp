@@ -17,12 +17,14 @@ bool Interpreter::a_cutting_speed(const Word& word) {
     if (surface_speed_active()) return fail_word(Alarm::CodesContradict, word, "SVC, G96");
     double speed = word.number();
     if (!metric_technology()) speed *= 0.3048;   // feet a minute
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+    const bool other = word.index > 0 && word.index != core_.path.spindle.spindle;   // told here, whatever else the block says (7.2)
+    if (other && !core_.commit_spindle()) return false;
+    return with_spindle(other ? static_cast<std::uint16_t>(word.index) : std::uint16_t{0}, [&] {
         const std::uint16_t n = core_.path.spindle.spindle;
         if (n == 0 || spindle_closed(n)) return fail_word(n ? Alarm::CodesContradict : Alarm::SpindleMissing, word, "SVC, SPOS");
         modal_.cutting_speeds |= 1u << (n - 1);
         modal_.cutting_speed_m_min[n] = speed;
-        return ask_speed(speed_of_tool(speed, radius, found->second.max_velocity));
+        return ask_speed(speed_of_tool(speed, radius, found->second.max_velocity)) && (!other || core_.commit_spindle());
     });
 }
 
@@ -118,8 +120,10 @@ void Interpreter::spindle_to_axis() {
     core_.sink().aux(stop, core_.at);
 }
 
-// SPCON, SPCOF: position control of a spindle; the drive of a spindle that follows a thread is always in it here.
-bool Interpreter::p_spindle_control(Call& c) {
+// SPCON, SPCOF: position control of a spindle beside what needs it. Here positions, threads and couplings close the loop by themselves, so
+// that SPCOF has nothing to open and SPCON no effect.
+bool Interpreter::p_spindle_control(Call& c) { return p_spindle_speed(c) && p_without_effect(c); }
+bool Interpreter::p_spindle_speed(Call& c) {
     for (const Argument& argument : c.arguments) {
         const double n = argument.value.number;
         if (!argument.given || !(n >= 1 && n <= kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, n);

@@ -109,6 +109,29 @@ bool Interpreter::action_may_be_told(bool& deletes_way) {
     return true;
 }
 
+// A dwell may stand behind the actions: WHEN TRUE DO $AA_OFF[X]=10 G4 F5 (sinumerik_part2 13.11). It is the output block with which they
+// act, so it is taken off the line and comes next.
+void Interpreter::split_dwell() {
+    bool text = false;
+    unsigned brackets = 0;
+    for (Cursor part = cursor_; !part.at_end();) {
+        const char c = part.next_raw();
+        if (c == '"') text = !text;
+        if (!text && (c == '(' || c == '[')) ++brackets;
+        if (!text && (c == ')' || c == ']') && brackets > 0) --brackets;
+        const std::string word = text ? std::string() : upper(part.name_ahead());
+        if (brackets == 0 && (word == "G4" || word == "G04") && part.at() > cursor_.at()) {
+            const auto here = static_cast<std::size_t>(cursor_.at() - cursor_.begin());
+            execute_ = std::string(part.at(), part.end());
+            line_.resize(static_cast<std::size_t>(part.at() - part.begin()));
+            cursor_ = Cursor(line_);
+            cursor_.advance(here);
+            return;
+        }
+        part.advance(std::max<std::size_t>(word.size(), 1));
+    }
+}
+
 // A block that only tells what shall be done: it moves nothing and outputs nothing.
 bool Interpreter::st_synchronized() {
     SynchronizedAction action;
@@ -138,7 +161,9 @@ bool Interpreter::st_synchronized() {
     }
     action.action_at = static_cast<std::size_t>(cursor_.at() - cursor_.begin());
     if (cursor_.at_end()) return syntax(cursor_.at(), "DO");
-    if (!action_may_be_told(action.deletes_way)) return false;
+    const std::size_t said_at = cursor_.column(at);
+    split_dwell();
+    if (!action_may_be_told(action.deletes_way)) return execute_.clear(), false;
     if (action.deletes_way && row->when != When::Always) {
         Cursor asked(line_);
         asked.advance(action.condition_at);
@@ -146,9 +171,15 @@ bool Interpreter::st_synchronized() {
     }
     action.text = line_;
     action.line = core_.at.line;
+    if (!modal_.actions_told && !action.deletes_way) {   // the first one of a program says what they have in common; a way is deleted where its condition holds
+        modal_.actions_told = true;
+        core_.mark_emitted();
+        core_.sink().alarm({Alarm::ActionsAtBlocks, {files_->path(levels_.back().file), core_.at.line, static_cast<std::uint32_t>(said_at), static_cast<std::uint32_t>(name.size())}, {}, name}, core_.at);
+    }
     undo([this, before = actions_] { actions_ = before; });
     if (action.id) std::erase_if(actions_, [&](const SynchronizedAction& one) { return one.id == action.id; });   // a new one takes its place
     actions_.push_back(std::move(action));
+    if (!execute_.empty()) block_undo_.clear();   // it is told, also where the rest of the line has to be read again
     return true;
 }
 
@@ -173,7 +204,7 @@ bool Interpreter::read_action(const SynchronizedAction& action) {
 bool Interpreter::do_action() {
     for (const Word& word : block_.words)
         if (word.address->use == Address::Use::Setting && !(this->*word.address->act)(word)) return false;
-    if (!functions_before()) return false;
+    if (!functions_before() || !drive_overlays()) return false;
     std::vector<std::pair<const Command*, Call>> procedures = std::move(block_.procedures);
     for (auto& one : procedures) {
         block_.procedures.clear();
@@ -265,12 +296,12 @@ bool Interpreter::p_cancel(Call& c) {
 
 bool Interpreter::p_lock(Call& c) { return only_in_action("LOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = true; }); }
 bool Interpreter::p_unlock(Call& c) { return only_in_action("UNLOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = false; }); }
-bool Interpreter::p_action_reset(Call& c) { return only_in_action("RESET") && each_action(c, [](SynchronizedAction&) {}); }   // of technology cycles
+bool Interpreter::p_action_reset(Call& c) { return only_in_action("RESET") && each_action(c, [](SynchronizedAction&) {}) && p_without_effect(c); }   // of technology cycles
 bool Interpreter::p_delete_way(Call&) { return only_in_action("DELDTG"); }   // cut_way() does it
 // RDISABLE: the block behind is not read while the condition holds. Without a machine nothing would ever change it.
 bool Interpreter::p_read_disable(Call& c) { return only_in_action("RDISABLE") && (machine_there() || p_without_effect(c)); }
 bool Interpreter::machine_there() { return core_.view().axis_count > 0 && core_.port().axis_command(core_.view().axes[0].machine_axis).has_value(); }
-bool Interpreter::p_cycle_steps(Call&) { return only_in_action(block_.procedures.front().first->name); }   // ICYCON, ICYCOF: of technology cycles
+bool Interpreter::p_cycle_steps(Call& c) { return only_in_action(block_.procedures.front().first->name) && p_without_effect(c); }   // ICYCON, ICYCOF: of technology cycles
 bool Interpreter::p_stop_reading_of(Call&) { return only_in_action("STOPREOF") && (stop_reading(), true); }
 bool Interpreter::only_in_action(std::string_view name) { return in_action_ || fail(Alarm::AddressIllegal, std::string(name)); }
 

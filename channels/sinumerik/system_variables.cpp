@@ -110,9 +110,9 @@ bool Interpreter::system_value(Value& value) {
         if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
         return value = Value::of_real(shown(place(0), path.programmed[static_cast<std::size_t>(place(0))]) / unit()), true;
     }
-    if (name == "$AA_OFF" || name == "$AA_OFF_VAL") {   // nothing is overlaid (sinumerik_part2 13.11)
-        if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
-        return need_fresh() && (value = Value::of_real(0.0), true);
+    if (name == "$AA_OFF" || name == "$AA_OFF_VAL") {
+        if (place(0) < 0 || place(0) >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+        return need_fresh() && (value = Value::of_real(path.wanted[static_cast<std::size_t>(place(0))]), true);
     }
     if (name == "$AA_FXS") {
         if (place(0) < 0 || place(0) >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
@@ -289,6 +289,7 @@ bool Interpreter::write_system(const std::string& name, const std::vector<Value>
         written_.push_back({fmt::format("{}[{:.0f},{:.0f}]", name, indices[0].number, indices[1].number), value});
         return true;
     }
+    if (name == "$AA_OFF") return convert(value, Type::Real) ? write_overlay(name, indices, from, length, value) : fail_at(Alarm::ConversionImpossible, at, 1, name);
     if (name == "$AC_LIFTFAST" && indices.empty() && value.is_number()) {
         undo([this, before = written_system_["$AC_LIFTFAST"]] { written_system_["$AC_LIFTFAST"] = before; });
         written_system_["$AC_LIFTFAST"] = Value::of_int(value.number);

@@ -55,6 +55,7 @@ struct Argument {
 struct Call {
     std::vector<Argument> arguments;
     Value result;                        // of a function
+    std::uint16_t column = 0;            // byte in the line; 0: not of a block's text
     bool has(std::size_t i) const { return i < arguments.size() && arguments[i].given; }
     const Value& value(std::size_t i) const { return arguments[i].value; }
     double number(std::size_t i, double otherwise = 0.0) const { return has(i) ? arguments[i].value.number : otherwise; }

@@ -1,5 +1,6 @@
 // The words of a block: addresses with their values, G commands, procedures, assignments, program calls. Everything is
 // computed here, in the order of the text; nothing acts yet.
+#include <algorithm>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -46,6 +47,14 @@ bool takes_mode(std::string_view address, Mode mode) {
 }
 
 }  // namespace
+
+// A cycle of the control by its name, of which the tables have no row (CYCLE93, POCKET1, HOLES5): it is not a name that the program has forgotten
+// to declare. A program of that name that the shop has loaded is called all the same.
+bool Interpreter::names_cycle(std::string_view upper_name) {
+    for (const std::string_view kind : {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE"})
+        if (upper_name.starts_with(kind)) return std::ranges::all_of(upper_name.substr(kind.size()), [](char c) { return is_digit(c); });
+    return false;
+}
 
 bool Interpreter::parse_words() {
     while (!cursor_.at_end()) {
@@ -111,7 +120,8 @@ bool Interpreter::parse_word() {
     block_.program.wanted = true;
     block_.program.name = word;
     program_column_ = cursor_.column(begin);
-    if (!files_->find_name(word) && !files_->find_name(word + ".SPF") && !files_->find_name(word + ".MPF")) return fail_at(Alarm::NameUnknown, begin, name.size(), word);
+    if (!files_->find_name(word) && !files_->find_name(word + ".SPF") && !files_->find_name(word + ".MPF"))
+        return fail_at(names_cycle(word) ? Alarm::NotBuilt : Alarm::NameUnknown, begin, name.size(), word);
     if (cursor_.peek() == '(') return read_program_arguments(word, block_.program.arguments);
     return true;
 }
@@ -193,7 +203,7 @@ bool Interpreter::parse_letter_word(const char* begin) {
         block_.program.wanted = true;
         block_.program.name = "L" + std::string(first, cursor_.at());
         program_column_ = cursor_.column(begin);
-        return true;
+        return cursor_.peek() != '(' || read_program_arguments(block_.program.name, block_.program.arguments);
     }
     if (extended) {
         if (word.address->index == Address::Index::None) return fail_at(Alarm::AddressIllegal, begin, 1 + digits, upper({begin, 1 + digits}));
@@ -235,6 +245,7 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             if (command.function && name != "DELDL" && name != "SETDNO" && name != "GETTENV") return syntax(begin, std::string(name));
             cursor_.advance(name.size());
             Call call;
+            call.column = static_cast<std::uint16_t>(std::min<std::size_t>(cursor_.column(begin), 65535));
             if (!read_arguments(command, call)) return false;
             block_.procedures.emplace_back(&command, std::move(call));
             return true;
@@ -276,6 +287,7 @@ bool Interpreter::add_g(const GCode* code, const char* begin) {
     if (!code->act) return fail_at(Alarm::NotBuilt, begin, length, std::string(code->name));
     block_.coded[code->group] = code;
     block_.codes.push_back(code);
+    block_.code_columns.push_back(static_cast<std::uint16_t>(std::min<std::size_t>(cursor_.column(begin), 65535)));
     return true;
 }
 

@@ -185,6 +185,7 @@ public:
     void end_block() { if (emitted_) sink_->block_end(at); }
     void mark_emitted() { emitted_ = true; }
     std::uint64_t moves() const { return moves_; }   // delivered so far
+    std::uint64_t ways() const { return ways_; }     // asked for so far, those of no length too: what a modal call counts
 
     // --- positions
     void start_at_machine(const AxisValues& machine);
@@ -468,7 +469,7 @@ private:
     AxisSet forced_ = 0;   // axes that the next move takes along although they are where it wants them
     bool emitted_ = false;
     bool exact_once_ = false;
-    std::uint64_t moves_ = 0;
+    std::uint64_t moves_ = 0, ways_ = 0;
     bool warned_spindle_ = false, waits_for_spindle_ = false, spindle_beside_ = false;
     StrokeZones zones_;   // where the axes may be, as of the last barrier
     void find_reference(AxisSet which, const AxisValues& then);

@@ -18,7 +18,7 @@ bool Core::beside(unsigned place, const AxisValues& target, double feed, bool pe
     if (compensating_ && (plane >> place & 1u)) return refuse("nose-radius compensation moves it");
     if (!begin_move(target, feed > 0 ? MoveKind::Linear : MoveKind::Rapid)) return false;
     if (move_.moved & ~(AxisSet{1} << place)) return refuse("the frame turns it: other axes would have to move too");
-    if (!move_.moved) return true;
+    if (!move_.moved) return ++ways_, true;
     move_.feed_mode = feed <= 0 ? FeedMode::Rapid : per_turn ? FeedMode::PerRevolution : FeedMode::PerMinute;
     move_.feed = feed;
     move_.feed_scale = 1.0;

@@ -176,6 +176,7 @@ void Core::deliver() {
 }
 
 void Core::accept(const AxisValues& target) {
+    if (!offset_alone_ || move_.moved) ++ways_;   // an offset that changes nothing is no way
     if (path.fixture.on) take_fixture_step();
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         path.programmed[i] = target[i];
@@ -343,7 +344,7 @@ bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
 bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release, double torque) {
     skip_moved_ = 0;
     if (!begin_move(target, MoveKind::Skip)) return false;
-    if (!move_.moved) return true;
+    if (!move_.moved) return ++ways_, true;
     if (feed > 0) {
         move_.feed = feed;
         move_.feed_mode = mode;
