@@ -5,6 +5,7 @@
 
 #include "hmi/machine/axis_places.hpp"
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/tool_at_work.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 
@@ -156,12 +157,14 @@ private:
     void smallFoot(const QRectF& box) {
         const BlockPicture& p = view_.picture;
         w_.line({box.left(), box.top()}, {box.right(), box.top()}, t_.edge, 1);
-        QString tool = kDash;
-        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0)) + (p.edge > 0 ? QString("  D%1").arg(p.edge) : p.geometry > 0 ? QString("  %1 %2").arg(word("Offset")).arg(p.geometry) : QString());
+        const ToolAtWork inWork = toolAtWork(live_, channel_);
+        QString tool = toolAtWorkText(inWork, false);
+        if (tool.isEmpty()) tool = kDash;
+        if (p.edge > 0 || p.geometry > 0) tool += p.edge > 0 ? QString("  D%1").arg(p.edge) : QString("  %1 %2").arg(word("Offset")).arg(p.geometry);
         const auto with = [](const QString& text, double override) { return std::abs(override - 1.0) > 1e-6 ? QString("%1  %2 %").arg(text).arg(std::lround(override * 100)) : text; };
         const double third = box.width() / 3;
         const QFont font = lettering(13, false, Face::Condensed);
-        w_.data(QRectF(box.left(), box.top(), third + px(16), box.height()), tool, lettering(13, true, Face::Condensed), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(box.left(), box.top(), third + px(16), box.height()), tool, lettering(13, true, Face::Condensed), view_.known || inWork.certain ? t_.text : t_.faint);
         w_.text(QRectF(box.left() + third + px(16), box.top(), third - px(12), box.height()), with("F " + live_.unit(channel_).speed(status_.path_speed * 60), status_.feed_override), font, status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
         const unsigned spindle = view_.known && p.spindle ? p.spindle : config_.default_spindle;
         if (spindle < 1 || spindle > kMaxSpindles) return;
@@ -374,17 +377,16 @@ private:
     void tool() {
         const double h = px(dense_ ? 20 : 26);
         const BlockPicture& p = view_.picture;
-        QString tool = word("no tool known"), offset;
-        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) {   // pale behind a selection: positions count it until the program begins
-            tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0));
-            const QString named = QString::fromUtf8(p.tool_name.data(), static_cast<int>(::strnlen(p.tool_name.data(), p.tool_name.size())));
-            if (!named.isEmpty()) tool += "  " + named;
+        const ToolAtWork inWork = toolAtWork(live_, channel_);
+        QString tool = toolAtWorkText(inWork, true), offset;
+        if (tool.isEmpty()) tool = word("no tool known");
+        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) {   // behind a selection too: positions count it until the program begins
             offset = p.edge > 0 ? QString("D%1").arg(p.edge) : p.geometry > 0 ? QString("%1 %2").arg(word("Offset")).arg(p.geometry) : QString();
             if (p.nose_radius > 0) offset += QString("  R%1").arg(live_.unit(channel_).of(p.nose_radius), 0, 'g', 4);
             if (p.tip > 0) offset += QString("  %1 %2").arg(word("tip")).arg(p.tip);
         }
         w_.sign(QRectF(left_, y_ + h / 2 - px(9), px(18), px(18)), Sign::Tools, t_.dim);
-        w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known || inWork.certain ? t_.text : t_.faint);
         w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
         below(h);
         if (dense_ && !spare_) return;
