@@ -224,23 +224,26 @@ private:
 
     void header() {
         const double h = px(dense_ ? 26 : 34);
-        const double title = wide_ < px(320) ? px(46) : wide_ * 0.4;   // the number, and the name where there is room
         const StateWords state = stateWords(status_);
         w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
-        const bool narrow = slim() && groupOf(live_, channel_);   // four side by side, with the mark of their group
-        const double mode = narrow ? px(70) : std::min<double>(wide_ * 0.3, px(110));
-        const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_);
+        // What it does is never shortened; then the mode, the group, and of the name what there is room for.
+        const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_), mode = modeWord(status_.mode);
         const QFont bold = lettering(dense_ ? 17 : 21, true);
-        const double titleWide = std::min(title, wordsWidth(name, bold));
-        w_.data(QRectF(left_ + px(30), y_, title, h), name, bold, t_.text);
-        w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), narrow ? lettering(13, false, Face::Condensed) : lettering(14.5), t_.dim, kRight);
-        w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, narrow ? lettering(13.5, true, Face::Condensed) : lettering(dense_ ? 15 : 18, true), state.colour, kRight);
-        groupMark(QRectF(left_ + px(30) + titleWide + px(narrow ? 4 : 8), y_ + px(4), 0, h - px(8)));
+        const double from = left_ + px(30), all = wide_ - px(30), between = px(8);
+        const double least = wordsWidth(QString("L%1").arg(channel_), bold) + (groupOf(live_, channel_) ? wordsWidth(word("Group %1").arg(99), lettering(12.5, true, Face::Condensed)) + px(20) : 0);
+        QFont stateFont = lettering(dense_ ? 15 : 18, true), modeFont = lettering(14.5);
+        const auto needed = [&] { return wordsWidth(state.text, stateFont) + wordsWidth(mode, modeFont) + 2 * between; };
+        for (double units = dense_ ? 15 : 17; needed() + least > all && units > 10; units -= 1) stateFont = lettering(units, true, Face::Condensed), modeFont = lettering(std::min(units, 13.5), false, Face::Condensed);
+        const double stateWide = wordsWidth(state.text, stateFont) + 1, modeWide = wordsWidth(mode, modeFont) + 1, titleWide = std::min(wordsWidth(name, bold) + 1, std::max(all - needed(), wordsWidth(QString("L%1").arg(channel_), bold) + 1));
+        w_.data(QRectF(from, y_, titleWide, h), name, bold, t_.text);
+        w_.text(QRectF(left_ + wide_ - modeWide, y_, modeWide, h), mode, modeFont, t_.dim, kRight);
+        w_.text(QRectF(left_ + wide_ - modeWide - between - stateWide, y_, stateWide, h), state.text, stateFont, state.colour, kRight);
+        groupMark(QRectF(from + titleWide + px(4), y_ + px(4), 0, h - px(8)));
         below(h);
     }
 
     void strip() {
-        const double h = px(dense_ ? 36 : 42);
+        const double h = px(dense_ ? 36 : wide_ < px(420) ? 60 : 42);   // three and more side by side: a cause needs three lines
         const QRectF box(left_, y_, wide_, h);
         const Plight now = plight(live_, alarms_, channel_);
         const auto [sign, colour] = plightSign(now.kind);
@@ -249,7 +252,10 @@ private:
             w_.fill(QRectF(box.left(), box.top(), px(4), h), colour, px(2));
             w_.sign(QRectF(box.left() + px(12), box.center().y() - px(10), px(20), px(20)), sign, colour);
             const double marks = switchMarks(box);
-            Item& item = w_.text(box.adjusted(px(40), px(1), -px(6) - marks, -px(1)), now.text, lettering(13.5), t_.text);
+            const QRectF room = box.adjusted(px(40), px(1), -px(6) - marks, -px(1));
+            QFont font = lettering(13.5);
+            if (!wordsFit(now.text, font, room.size())) font = letteringThatFits(now.text, room.size(), 13.5, 11.5, Face::Condensed);
+            Item& item = w_.text(room, wordsCutTo(now.text, font, room.size()), font, t_.text);   // its beginning goes before its end
             item.wraps = true, item.data = true;
         } else {
             QString switches;
