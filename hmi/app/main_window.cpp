@@ -284,17 +284,18 @@ void MainWindow::composeTop(Writer& w) {
     w.fill(QRectF(0, 0, wide, top_->height()), t.bar);
     const auto step = static_cast<MachineStep>(live_.status().step);
     // Ready is a machine that nothing is missing to and that does nothing: what its channels do goes before it.
-    std::vector<unsigned> run, wait, stand;
+    std::vector<unsigned> run, wait, stand, broken;
     for (const unsigned channel : live_.channels()) {
         const auto does = static_cast<ChannelState>(live_.channel(channel).state);
         if (does == ChannelState::Running) run.push_back(channel);
         else if (does == ChannelState::Waiting) wait.push_back(channel);
         else if (works(live_.channel(channel))) stand.push_back(channel);
+        else if (does == ChannelState::Interrupted || does == ChannelState::Dead) broken.push_back(channel);
     }
-    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty()), runs = !run.empty() || (!wait.empty() && stand.empty());   // who waits for one that stands, stands
-    const QColor colour = !live_.connected() ? t.bad : worked && !runs ? t.warn : colourOf(step);
-    w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : runs ? Sign::Run : Sign::Hold, colour);
-    const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : runs ? word("programs run") : word("programs stand");
+    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty() && broken.empty()), runs = !run.empty() || (!wait.empty() && stand.empty() && broken.empty());   // who waits for one that stands, stands
+    const QColor colour = !live_.connected() ? t.bad : worked && !broken.empty() ? t.bad : worked && !runs ? t.warn : colourOf(step);
+    w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : !broken.empty() ? Sign::Alarm : runs ? Sign::Run : Sign::Hold, colour);
+    const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : runs ? word("programs run") : broken.empty() ? word("programs stand") : word("a program is interrupted");
     w.text(QRectF(px(46), 0, px(330), h), state.left(1).toUpper() + state.mid(1), lettering(16, true), colour);
     double right = wide - px(8);
     const auto button = [&](int hit, const QString& text, Sign sign, double units) {
@@ -348,6 +349,7 @@ void MainWindow::composeTop(Writer& w) {
         if (!run.empty()) parts << word("%1 run").arg(channelList(run));
         if (!wait.empty()) parts << word("%1 wait").arg(channelList(wait));
         if (!stand.empty()) parts << word("%1 stand").arg(channelList(stand));
+        if (!broken.empty()) parts << word("%1 interrupted").arg(channelList(broken));
         const QString does = parts.join("   ");
         w.data(QRectF(left, down, right - left, h), worked ? does : live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
     }
