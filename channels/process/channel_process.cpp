@@ -275,7 +275,7 @@ void ChannelProcess::end_program(StopReason reason) {
         return;
     }
     sink_->finish(reason);
-    if (!held_run_ && ring_->pushed() > 0 && run_->loses_offset(false)) pictures_.offset_lost(own_->path.slot(ring_->last_index()).serial, true);
+    if (!held_run_ && ring_->pushed() > 0 && run_->loses_offset(false)) pictures_.offset_lost(own_->path.slot(ring_->last_index()).serial);
     state_ = State::Idle;
 }
 
@@ -297,7 +297,8 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     if (held_run_) run_ = std::move(held_run_);
     if (run_) forget_read_ahead(static_cast<std::uint64_t>(event.value));
     if (run_) carried_ = run_->carry();
-    if (const std::uint64_t pushed = ring_->pushed(); run_ && run_->loses_offset(true) && pushed > 0) pictures_.offset_lost(own_->path.slot(std::min(event.record, pushed - 1)).serial);
+    if (const std::uint64_t pushed = ring_->pushed(); run_ && pushed > 0)
+        pictures_.reset(own_->path.slot(std::min(event.record, pushed - 1)).serial, static_cast<std::uint64_t>(event.value), run_->loses_offset(true));
     run_.reset();
     after_reset_ = true;
     state_ = State::Idle;

@@ -76,19 +76,34 @@ void PictureOut::look(const Core& core, const std::string& codes) {
     push_picture(*own_, now);
 }
 
-void PictureOut::offset_lost(std::uint64_t serial, bool at_end) {
+void PictureOut::offset_lost(std::uint64_t serial) {
     BlockPicture now{};
     if (!find_picture(*own_, serial, now)) return;
-    for (std::size_t i = 0; i < kChannelAxes; ++i) now.shift[i] -= now.tool_shift[i];
-    now.tool_shift.fill(0.0);
-    now.tool_shown.fill(0.0);
-    now.offset = now.geometry = now.wear = 0;
-    now.tip = 0;
-    now.nose_radius = 0.0;
-    now.flags &= ~(kPictureCompLeft | kPictureCompRight);
-    if (at_end) now.serial = serial;
-    any_ = false;   // what the next program begins with is told anew
-    push_picture(*own_, now);   // the newest of those that may be meant
+    now.serial = serial;
+    tell(now, true);
+}
+
+void PictureOut::reset(std::uint64_t newest, std::uint64_t not_begun, bool offset_lost) {
+    const bool ahead = not_begun != 0 && not_begun <= newest;
+    if (!ahead && !offset_lost) return;
+    BlockPicture now{};
+    if (find_picture(*own_, ahead ? not_begun - 1 : newest, now)) return tell(now, offset_lost);
+    if (ahead) begin();   // nothing of the program has acted, and nobody knows any more what was before it
+}
+
+// As the newest of those that may be meant; what the next program begins with is told anew.
+void PictureOut::tell(BlockPicture now, bool offset_lost) {
+    if (offset_lost) {
+        for (std::size_t i = 0; i < kChannelAxes; ++i) now.shift[i] -= now.tool_shift[i];
+        now.tool_shift.fill(0.0);
+        now.tool_shown.fill(0.0);
+        now.offset = now.geometry = now.wear = 0;
+        now.tip = 0;
+        now.nose_radius = 0.0;
+        now.flags &= ~(kPictureCompLeft | kPictureCompRight);
+    }
+    any_ = false;
+    push_picture(*own_, now);
 }
 
 }  // namespace polyturn::channels

@@ -18,11 +18,14 @@ public:
     void begin();
     // Behind a block; codes as Language::active_codes() writes them.
     void look(const Core& core, const std::string& codes);
-    // A reset has cancelled the tool offset while the block `serial` ran: what is shown from here on is counted without it. So has
-    // the program's end, which is that block: then not before it.
-    void offset_lost(std::uint64_t serial, bool at_end = false);
+    // The end of the program, which is the block `serial`, has cancelled the tool offset: from it on what is shown is counted without it.
+    void offset_lost(std::uint64_t serial);
+    // A reset: what was only read ahead of it, from the block `not_begun` on (0: nothing was), has not happened. The last block that had
+    // begun is told anew, as the newest; without the tool offset where the language cancels it.
+    void reset(std::uint64_t newest, std::uint64_t not_begun, bool offset_lost);
 
 private:
+    void tell(BlockPicture now, bool offset_lost);
     ChannelSegment* own_;
     BlockPicture last_{};
     bool any_ = false;

@@ -5,19 +5,30 @@
 #include <QFile>
 #include <QScreen>
 #include <QStandardPaths>
+#include <QTextStream>
 #include <cstdio>
+#include <unistd.h>
 
 #include "hmi/app/main_window.hpp"
 #include "hmi/app/measure.hpp"
 #include "hmi/app/screenshots.hpp"
 #include "hmi/machine/computer_settings.hpp"
 
+namespace {
+
+// Qt ends the program by force where it finds no display: a core, and an advice to install things again that are there.
+void sayThereIsNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
+    if (type != QtFatalMsg) return;   // what was tried
+    std::fputs("polyturn-hmi: there is no display to open; start it on the panel's desktop, or say with DISPLAY, WAYLAND_DISPLAY or QT_QPA_PLATFORM which one.\n", stderr);
+    ::_exit(2);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     // A panel without a display server reads its keyboard itself, and xkbcommon takes the layout from the environment.
     if (QFile keyboard("/etc/default/keyboard"); qEnvironmentVariableIsEmpty("XKB_DEFAULT_LAYOUT") && keyboard.open(QIODevice::ReadOnly))
         if (const QString layout = polyturn::hmi::layoutIn(QString::fromUtf8(keyboard.read(1 << 16))); !layout.isEmpty()) qputenv("XKB_DEFAULT_LAYOUT", layout.toUtf8());
-    QApplication app(argc, argv);
-    QApplication::setApplicationName("polyturn-hmi");
     QCommandLineParser parser;
     parser.setApplicationDescription("Polyturn: the screens of one controller.");
     parser.addHelpOption();
@@ -29,6 +40,17 @@ int main(int argc, char** argv) {
                        {"screenshots", "save a picture of each screen, in each language and theme, in DIR and end", "DIR"},
                        {"only", "of the pictures those whose name begins so, or one page: offsets, diagnosis-7", "NAME"},
                        {"measure", "show each screen for so long, print what it costs, and end", "SECONDS"}});
+    QStringList words;
+    for (int i = 0; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+    if ((void)parser.parse(words); parser.isSet("help")) {   // without a display too
+        const QCoreApplication named(argc, argv);
+        QTextStream(stdout) << parser.helpText();
+        return 0;
+    }
+    const auto before = qInstallMessageHandler(sayThereIsNoDisplay);
+    QApplication app(argc, argv);
+    qInstallMessageHandler(before);
+    QApplication::setApplicationName("polyturn-hmi");
     parser.process(app);
     polyturn::hmi::Choices choices;
     choices.instance = parser.value("instance").toStdString();
@@ -62,5 +84,6 @@ int main(int argc, char** argv) {
         window.showFullScreen();
     }
     else window.show();
+    window.activateWindow();   // where no window manager gives the keyboard to it
     return app.exec();
 }

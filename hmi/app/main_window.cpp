@@ -18,7 +18,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr int kFrameMs = 16;
-constexpr qint64 kToldMs = 8'000, kLockMs = 30'000, kKeepMs = 1'000;
+constexpr qint64 kToldMs = 8'000, kKeepMs = 1'000, kClothMs = 1'000;   // kClothMs: how long a cloth is still on a panel that an alarm has unlocked
 enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock, kHitHelp, kHitDialogue };
 
 Sign signOf(MachineStep step) {
@@ -90,14 +90,18 @@ MainWindow::MainWindow(Choices choices)
     dialogue_ = new DialogueView(desk_, this);
     entry_ = new TextEntry(this);
     desk_.ask = [this](TextQuestion question) { entry_->open(std::move(question)); };
-    cover_ = new FreeSheet(this);
-    cover_->hide();
+    cover_ = new CleaningLock(desk_, this);
+    cover_->onEnd = [this](CleaningLock::End how) {
+        lock(false);
+        if (how != CleaningLock::End::Alarm) return;
+        unlocked_.start();
+        tell(word("An alarm has ended the lock for cleaning."), Told::Refused);
+    };
     top_->onCompose = [this](Writer& w) { composeTop(w); };
     top_->onTouched = [this](int number) { topTouched(number); };
     rail_->onCompose = [this](Writer& w) { composeRail(w); };
     rail_->onTouched = [this](int number) { showScreen(number); };
     line_->onCompose = [this](Writer& w) { composeLine(w); };
-    cover_->onCompose = [this](Writer& w) { composeLock(w); };
     build();
     const QString wanted = kept("screen", "overview");
     for (std::size_t i = 0; i < screens_.size(); ++i)
@@ -212,14 +216,13 @@ void MainWindow::frame() {
         for (Screen* one : screens_) one->rebuilt();
     }
     if (auto read = builders_.take()) knowBuilderMessages(std::move(*read)), alarms_.retold();
-    if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
     for (Screen* one : screens_) one->follow();
     screen()->refresh();
     followDialogue();
     if (dialogue_->isVisible()) dialogue_->refresh();
     showKeys();
     top_->refresh(), line_->refresh();
-    if (locked_) cover_->refresh();
+    if (locked_) cover_->follow();
     keep();
 }
 
@@ -267,7 +270,8 @@ void MainWindow::layOut() {
     entry_->setGeometry(rail, height() - foot - px(360), width() - rail, px(360));
     help_->setGeometry(rail, top, width() - rail, height() - top - foot);
     dialogue_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
-    cover_->setGeometry(rect());
+    cover_->setGeometry(0, top, width(), height() - top);   // the bar above goes on telling
+    cover_->keysAt(QRectF(0, height() - foot - top, width(), foot));
     for (Sheet* one : ownSheets()) one->refresh();
 }
 
@@ -280,17 +284,18 @@ void MainWindow::composeTop(Writer& w) {
     w.fill(QRectF(0, 0, wide, top_->height()), t.bar);
     const auto step = static_cast<MachineStep>(live_.status().step);
     // Ready is a machine that nothing is missing to and that does nothing: what its channels do goes before it.
-    std::vector<unsigned> run, wait, stand;
+    std::vector<unsigned> run, wait, stand, broken;
     for (const unsigned channel : live_.channels()) {
         const auto does = static_cast<ChannelState>(live_.channel(channel).state);
         if (does == ChannelState::Running) run.push_back(channel);
         else if (does == ChannelState::Waiting) wait.push_back(channel);
         else if (works(live_.channel(channel))) stand.push_back(channel);
+        else if (does == ChannelState::Interrupted || does == ChannelState::Dead) broken.push_back(channel);
     }
-    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty()), runs = !run.empty() || (!wait.empty() && stand.empty());   // who waits for one that stands, stands
-    const QColor colour = !live_.connected() ? t.bad : worked && !runs ? t.warn : colourOf(step);
-    w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : runs ? Sign::Run : Sign::Hold, colour);
-    const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : runs ? word("programs run") : word("programs stand");
+    const bool worked = live_.connected() && step == MachineStep::Ready && !(run.empty() && wait.empty() && stand.empty() && broken.empty()), runs = !run.empty() || (!wait.empty() && stand.empty() && broken.empty());   // who waits for one that stands, stands
+    const QColor colour = !live_.connected() ? t.bad : worked && !broken.empty() ? t.bad : worked && !runs ? t.warn : colourOf(step);
+    w.sign(QRectF(px(14), px(11), px(24), px(24)), !live_.connected() ? Sign::Alarm : !worked ? signOf(step) : !broken.empty() ? Sign::Alarm : runs ? Sign::Run : Sign::Hold, colour);
+    const QString state = !live_.connected() ? word("No controller answers") : !worked ? word(machine_step_text(live_.status().step).text) : runs ? word("programs run") : broken.empty() ? word("programs stand") : word("a program is interrupted");
     w.text(QRectF(px(46), 0, px(330), h), state.left(1).toUpper() + state.mid(1), lettering(16, true), colour);
     double right = wide - px(8);
     const auto button = [&](int hit, const QString& text, Sign sign, double units) {
@@ -344,6 +349,7 @@ void MainWindow::composeTop(Writer& w) {
         if (!run.empty()) parts << word("%1 run").arg(channelList(run));
         if (!wait.empty()) parts << word("%1 wait").arg(channelList(wait));
         if (!stand.empty()) parts << word("%1 stand").arg(channelList(stand));
+        if (!broken.empty()) parts << word("%1 interrupted").arg(channelList(broken));
         const QString does = parts.join("   ");
         w.data(QRectF(left, down, right - left, h), worked ? does : live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
     }
@@ -374,15 +380,6 @@ void MainWindow::composeLine(Writer& w) {
     w.data(QRectF(px(36), 0, line_->width() - px(46), line_->height()), fresh ? told_ : QString(), lettering(14.5), how_ == Told::Refused ? t.bad : t.text);
 }
 
-void MainWindow::composeLock(Writer& w) {
-    const Theme& t = theme();
-    w.fill(QRectF(0, 0, width(), height()), t.window);
-    w.sign(QRectF(width() / 2.0 - px(40), height() / 2.0 - px(110), px(80), px(80)), Sign::Lock, t.accent);
-    w.text(QRectF(0, height() / 2.0 - px(10), width(), px(50)), word("Locked for cleaning"), lettering(30, true), t.text, Qt::AlignCenter);
-    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.").arg((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1),
-           lettering(18), t.dim, Qt::AlignCenter);
-}
-
 void MainWindow::lock(bool on) {
     if (on && !locked_) {   // what a finger holds now must not go on beneath the cover
         for (int key = 0; key < 10; ++key) bar_->letGo(key);
@@ -391,9 +388,9 @@ void MainWindow::lock(bool on) {
             if (auto* sheet = dynamic_cast<Sheet*>(one)) sheet->forgetTouch();
     }
     locked_ = on;
-    lockedUntil_ = QDateTime::currentMSecsSinceEpoch() + kLockMs;
-    cover_->setVisible(on);
-    if (on) cover_->raise(), cover_->refresh();
+    if (on) cover_->begin();
+    else cover_->hide();
+    bar_->show({}), showKeys();   // what was asked before is not answered behind it
 }
 
 void MainWindow::topTouched(int number) {
@@ -508,10 +505,16 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(object);
     if (!widget || widget->window() != this) return false;
     const auto type = event->type();
-    if (locked_) {
+    if (locked_ || (unlocked_.isValid() && unlocked_.elapsed() < kClothMs)) {
         switch (type) {
-            case QEvent::KeyPress: case QEvent::MouseButtonPress: case QEvent::MouseButtonDblClick: case QEvent::MouseMove: case QEvent::Wheel: case QEvent::TouchBegin: case QEvent::TouchUpdate: return true;
-            case QEvent::KeyRelease: return keyReleased(static_cast<QKeyEvent*>(event));   // releases come through, so that nothing stays held; lock() has made the sheets forget what a release would do
+            case QEvent::KeyPress:
+                if (locked_) cover_->keyPressed(*static_cast<QKeyEvent*>(event));
+                return true;
+            case QEvent::MouseButtonPress: case QEvent::MouseButtonDblClick: case QEvent::MouseMove: return !locked_ || widget != cover_;
+            case QEvent::Wheel: case QEvent::TouchBegin: case QEvent::TouchUpdate: return true;
+            case QEvent::KeyRelease:   // releases come through, so that nothing stays held; lock() has made the sheets forget what a release would do
+                cover_->keyReleased(*static_cast<QKeyEvent*>(event));
+                return keyReleased(static_cast<QKeyEvent*>(event));
             default: return false;
         }
     }

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 
+#include "hmi/app/cleaning_lock.hpp"
 #include "hmi/app/dialogue_view.hpp"
 #include "hmi/app/help_view.hpp"
 #include "hmi/machine/aside.hpp"
@@ -43,7 +44,8 @@ public:
     SoftKeyBar& softKeys() { return *bar_; }
     std::vector<Sheet*> ownSheets() const { return {top_, rail_, line_, bar_}; }
     bool locked() const { return locked_; }
-    void lock(bool on);                    // for cleaning: touches and keys do nothing for a while
+    void lock(bool on);                    // for cleaning
+    CleaningLock& cleaning() { return *cover_; }
     HelpView& help() { return *help_; }
     DialogueView& dialogue() { return *dialogue_; }
     static constexpr int kComesUpMs = 500; // a dialogue that has come up by itself takes no keys yet: they were meant for what was there
@@ -67,7 +69,6 @@ private:
     void composeTop(Writer& w);
     void composeRail(Writer& w);
     void composeLine(Writer& w);
-    void composeLock(Writer& w);
     void topTouched(int number);
     void tell(const QString& text, Told how);
     std::map<QString, QString> keepsake() const;   // what a restart shows again
@@ -92,7 +93,8 @@ private:
     AlarmBook alarms_;
     Desk desk_;
     QTimer timer_;
-    FreeSheet *top_, *rail_, *line_, *cover_;
+    FreeSheet *top_, *rail_, *line_;
+    CleaningLock* cover_;
     SoftKeyBar* bar_;
     HelpView* help_;
     DialogueView* dialogue_;
@@ -106,7 +108,9 @@ private:
     std::uint64_t generation_ = 0, frames_ = 0;
     QString told_;
     Told how_ = Told::Note;
-    qint64 toldUntil_ = 0, lockedUntil_ = 0;
+    qint64 toldUntil_ = 0;
+    QElapsedTimer unlocked_;               // by an alarm: the cloth may still be on the panel
+    const QEvent* passing_ = nullptr;      // a key that a page may be handing on
 };
 
 std::vector<Screen*> makeScreens(Desk& desk);   // in the order of Alt+1, Alt+2 ...

@@ -164,7 +164,9 @@ FolderList listFolder(const QString& folder) {
     if (!dir.isRoot()) out.entries.push_back(up);
     const auto levels = levelsIn(out.folder);
     std::vector<FileEntry> folders, jobs, rest;
+    static const QStringList kOfTheSystem{"dev", "proc", "sys"};   // no programs there, and keys that delete are at hand
     for (const QFileInfo& one : dir.entryInfoList(QDir::AllDirs | QDir::Files | QDir::NoDotAndDotDot, QDir::Name)) {
+        if (dir.isRoot() && kOfTheSystem.contains(one.fileName())) continue;
         FileEntry entry{one.fileName(), false, one.isDir(), false, false, 0, one.size(), one.lastModified()};
         entry.job = !entry.folder && text::is_job_file(one.filePath().toStdString());
         struct stat about {};

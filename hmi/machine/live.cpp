@@ -186,22 +186,24 @@ void Live::poll() {
 void Live::readChannel(unsigned number) {
     ChannelView& view = views_[number - 1];
     const auto& segment = channelSegments_[number - 1];
-    view.known = false;
-    view.moves.fill(false);
-    view.nose.fill(0);
-    if (!segment.attached()) return;
-    if (const std::uint64_t version = segment->programs.version(); version != namesVersion_[number - 1] && segment->programs.read(*names_)) {
-        namesVersion_[number - 1] = version;
-        view.programs.clear();
-        for (std::size_t i = 0; i < names_->count && i < 32; ++i) view.programs.emplace_back(&names_->name[i * 256], ::strnlen(&names_->name[i * 256], 255));
-    }
     const ChannelStatus& status = channel(number);
+    view.moves.fill(false);
+    if (segment.attached())
+        if (const std::uint64_t version = segment->programs.version(); version != namesVersion_[number - 1] && segment->programs.read(*names_)) {
+            namesVersion_[number - 1] = version;
+            view.programs.clear();
+            for (std::size_t i = 0; i < names_->count && i < 32; ++i) view.programs.emplace_back(&names_->name[i * 256], ::strnlen(&names_->name[i * 256], 255));
+        }
     view.file = status.line && status.file < view.programs.size() ? status.file : 0;
     // The running record, or the one executed last.
-    const std::uint64_t head = segment->path.head.load(std::memory_order_acquire);
-    if (head == 0) return;
+    const std::uint64_t head = segment.attached() ? segment->path.head.load(std::memory_order_acquire) : 0;
     const bool running = status.record < head;
-    const PathRecord first = segment->path.slot(running ? status.record : head - 1);
+    const PathRecord first = head ? segment->path.slot(running ? status.record : head - 1) : PathRecord{};
+    // A hold or a reset has made void what was read ahead, and the channel has not yet told what holds now: until then, what held before.
+    if (head && (segment->epoch.load(std::memory_order_acquire) != status.epoch || (!running && first.epoch != status.epoch && !rests(number)))) return;
+    view.known = false;
+    view.nose.fill(0);
+    if (!head) return;
     view.rapid = (first.flags & kRapid) != 0;
     // It can be written over while it is read, and the next part begins without one: for a moment the last one holds on, while the program runs.
     for (int attempt = 0; attempt < 3 && !view.known; ++attempt) view.known = find_picture(*segment, first.serial, view.picture);

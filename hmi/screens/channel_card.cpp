@@ -5,6 +5,7 @@
 
 #include "hmi/machine/axis_places.hpp"
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/tool_at_work.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 
@@ -156,12 +157,14 @@ private:
     void smallFoot(const QRectF& box) {
         const BlockPicture& p = view_.picture;
         w_.line({box.left(), box.top()}, {box.right(), box.top()}, t_.edge, 1);
-        QString tool = kDash;
-        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0)) + (p.edge > 0 ? QString("  D%1").arg(p.edge) : p.geometry > 0 ? QString("  %1 %2").arg(word("Offset")).arg(p.geometry) : QString());
+        const ToolAtWork inWork = toolAtWork(live_, channel_);
+        QString tool = toolAtWorkText(inWork, false);
+        if (tool.isEmpty()) tool = kDash;
+        if (p.edge > 0 || p.geometry > 0) tool += p.edge > 0 ? QString("  D%1").arg(p.edge) : QString("  %1 %2").arg(word("Offset")).arg(p.geometry);
         const auto with = [](const QString& text, double override) { return std::abs(override - 1.0) > 1e-6 ? QString("%1  %2 %").arg(text).arg(std::lround(override * 100)) : text; };
         const double third = box.width() / 3;
         const QFont font = lettering(13, false, Face::Condensed);
-        w_.data(QRectF(box.left(), box.top(), third + px(16), box.height()), tool, lettering(13, true, Face::Condensed), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(box.left(), box.top(), third + px(16), box.height()), tool, lettering(13, true, Face::Condensed), view_.known || inWork.certain ? t_.text : t_.faint);
         w_.text(QRectF(box.left() + third + px(16), box.top(), third - px(12), box.height()), with("F " + live_.unit(channel_).speed(status_.path_speed * 60), status_.feed_override), font, status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
         const unsigned spindle = view_.known && p.spindle ? p.spindle : config_.default_spindle;
         if (spindle < 1 || spindle > kMaxSpindles) return;
@@ -221,23 +224,26 @@ private:
 
     void header() {
         const double h = px(dense_ ? 26 : 34);
-        const double title = wide_ < px(320) ? px(46) : wide_ * 0.4;   // the number, and the name where there is room
         const StateWords state = stateWords(status_);
         w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
-        const bool narrow = slim() && groupOf(live_, channel_);   // four side by side, with the mark of their group
-        const double mode = narrow ? px(70) : std::min<double>(wide_ * 0.3, px(110));
-        const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_);
+        // What it does is never shortened; then the mode, the group, and of the name what there is room for.
+        const QString name = wide_ < px(320) || groupOf(live_, channel_) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_), mode = modeWord(status_.mode);
         const QFont bold = lettering(dense_ ? 17 : 21, true);
-        const double titleWide = std::min(title, wordsWidth(name, bold));
-        w_.data(QRectF(left_ + px(30), y_, title, h), name, bold, t_.text);
-        w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), narrow ? lettering(13, false, Face::Condensed) : lettering(14.5), t_.dim, kRight);
-        w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, narrow ? lettering(13.5, true, Face::Condensed) : lettering(dense_ ? 15 : 18, true), state.colour, kRight);
-        groupMark(QRectF(left_ + px(30) + titleWide + px(narrow ? 4 : 8), y_ + px(4), 0, h - px(8)));
+        const double from = left_ + px(30), all = wide_ - px(30), between = px(8);
+        const double least = wordsWidth(QString("L%1").arg(channel_), bold) + (groupOf(live_, channel_) ? wordsWidth(word("Group %1").arg(99), lettering(12.5, true, Face::Condensed)) + px(20) : 0);
+        QFont stateFont = lettering(dense_ ? 15 : 18, true), modeFont = lettering(14.5);
+        const auto needed = [&] { return wordsWidth(state.text, stateFont) + wordsWidth(mode, modeFont) + 2 * between; };
+        for (double units = dense_ ? 15 : 17; needed() + least > all && units > 10; units -= 1) stateFont = lettering(units, true, Face::Condensed), modeFont = lettering(std::min(units, 13.5), false, Face::Condensed);
+        const double stateWide = wordsWidth(state.text, stateFont) + 1, modeWide = wordsWidth(mode, modeFont) + 1, titleWide = std::min(wordsWidth(name, bold) + 1, std::max(all - needed(), wordsWidth(QString("L%1").arg(channel_), bold) + 1));
+        w_.data(QRectF(from, y_, titleWide, h), name, bold, t_.text);
+        w_.text(QRectF(left_ + wide_ - modeWide, y_, modeWide, h), mode, modeFont, t_.dim, kRight);
+        w_.text(QRectF(left_ + wide_ - modeWide - between - stateWide, y_, stateWide, h), state.text, stateFont, state.colour, kRight);
+        groupMark(QRectF(from + titleWide + px(4), y_ + px(4), 0, h - px(8)));
         below(h);
     }
 
     void strip() {
-        const double h = px(dense_ ? 36 : 42);
+        const double h = px(dense_ ? 36 : wide_ < px(420) ? 60 : 42);   // three and more side by side: a cause needs three lines
         const QRectF box(left_, y_, wide_, h);
         const Plight now = plight(live_, alarms_, channel_);
         const auto [sign, colour] = plightSign(now.kind);
@@ -246,7 +252,10 @@ private:
             w_.fill(QRectF(box.left(), box.top(), px(4), h), colour, px(2));
             w_.sign(QRectF(box.left() + px(12), box.center().y() - px(10), px(20), px(20)), sign, colour);
             const double marks = switchMarks(box);
-            Item& item = w_.text(box.adjusted(px(40), px(1), -px(6) - marks, -px(1)), now.text, lettering(13.5), t_.text);
+            const QRectF room = box.adjusted(px(40), px(1), -px(6) - marks, -px(1));
+            QFont font = lettering(13.5);
+            if (!wordsFit(now.text, font, room.size())) font = letteringThatFits(now.text, room.size(), 13.5, 11.5, Face::Condensed);
+            Item& item = w_.text(room, wordsCutTo(now.text, font, room.size()), font, t_.text);   // its beginning goes before its end
             item.wraps = true, item.data = true;
         } else {
             QString switches;
@@ -374,17 +383,16 @@ private:
     void tool() {
         const double h = px(dense_ ? 20 : 26);
         const BlockPicture& p = view_.picture;
-        QString tool = word("no tool known"), offset;
-        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) {   // pale behind a selection: positions count it until the program begins
-            tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0));
-            const QString named = QString::fromUtf8(p.tool_name.data(), static_cast<int>(::strnlen(p.tool_name.data(), p.tool_name.size())));
-            if (!named.isEmpty()) tool += "  " + named;
+        const ToolAtWork inWork = toolAtWork(live_, channel_);
+        QString tool = toolAtWorkText(inWork, true), offset;
+        if (tool.isEmpty()) tool = word("no tool known");
+        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) {   // behind a selection too: positions count it until the program begins
             offset = p.edge > 0 ? QString("D%1").arg(p.edge) : p.geometry > 0 ? QString("%1 %2").arg(word("Offset")).arg(p.geometry) : QString();
             if (p.nose_radius > 0) offset += QString("  R%1").arg(live_.unit(channel_).of(p.nose_radius), 0, 'g', 4);
             if (p.tip > 0) offset += QString("  %1 %2").arg(word("tip")).arg(p.tip);
         }
         w_.sign(QRectF(left_, y_ + h / 2 - px(9), px(18), px(18)), Sign::Tools, t_.dim);
-        w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(left_ + px(26), y_, offset.isEmpty() ? wide_ - px(26) : wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known || inWork.certain ? t_.text : t_.faint);
         w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
         below(h);
         if (dense_ && !spare_) return;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hmi/screens/graphics.hpp"
+#include "hmi/machine/tool_at_work.hpp"
 #include "hmi/screens/graphics_look.hpp"
 #include "hmi/widgets/painted.hpp"
 #include "hmi/widgets/set_words.hpp"
@@ -255,8 +256,7 @@ void Graphics::drawBody(QPainter& p, const BodyLook& body) {
 Graphics::TipLook Graphics::lookOf(unsigned channel, const Trail& trail) const {
     TipLook out;
     out.at = place(trail.points.back().z, trail.points.back().x), out.side = aside(channel);
-    const ChannelView& view = desk_.live.view(channel);
-    const std::int64_t tool = dry_ ? static_cast<std::int64_t>(now_.turrets[channel - 1].station) : view.known ? view.picture.tool : 0;
+    const std::int64_t tool = dry_ ? static_cast<std::int64_t>(now_.turrets[channel - 1].station) : toolAtWork(desk_.live, channel).number;
     out.text = tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel);
     const QFont font = lettering(15, true);
     out.label = QRectF(0, 0, wordsWidth(out.text, font) + px(10), QFontMetricsF(font).height());

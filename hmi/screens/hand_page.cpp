@@ -8,6 +8,7 @@
 #include "hmi/screens/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/upright.hpp"
+#include "ipc/machine/active_tool.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -39,7 +40,8 @@ HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
         const Station& one = stations_[static_cast<std::size_t>(row)];
         const ToolRow* tool = toolOf(desk_.live, one.tool);
         const ChannelView& view = desk_.live.view(desk_.channel);
-        const bool works = view.known && view.picture.tool == one.number;
+        const std::int32_t stands = active_tool(desk_.live.table(), desk_.live.outputs(), desk_.channel);
+        const bool works = stands > 0 ? stands == one.number : view.known && view.picture.tool == one.number;
         if (column == 0) return {QString::number(one.number), works ? t.good : t.dim, works ? Sign::Run : Sign::None, true};
         if (column == 1) return {tool ? toolName(*tool, one.tool) : QString::fromUtf8("–"), tool ? t.text : t.dim};
         return tool ? Table::Cell{{}, toolWords(*tool).colour, toolWords(*tool).sign} : Table::Cell{};

@@ -113,7 +113,7 @@ QString Manual::whyNotMoved() const {
     if (desk_.live.status().machine_state != 2) return word("Axes are moved by hand while the machine is on");
     // With N1337 REL the program goes on from where the axes are then: nothing tells that they were left to be moved.
     const bool left = static_cast<ChannelState>(status.state) == ChannelState::Held && ((status.start_missing & start_bit("back_on_path")) || params::bit(desk_.live.table(), params::n1337_execution_config, desk_.channel, 5));
-    if (works(status) && !left) return word("A program runs: axes are moved by hand in a hold, after «Leave the hold»");
+    if (works(status) && !left) return word("A program runs: axes are moved by hand in a hold, after «Jog in hold»");
     return {};
 }
 
@@ -383,7 +383,7 @@ std::vector<SoftKey> Manual::keys() {
         {word("MDI"), [this] { letGo(), mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
         {word("Wheel, tool, transfer"), [this] { showHand(true); }, Sign::Right, there},
         away ? SoftKey{word("Return %1").arg(name), press_words("return " + name), Sign::Left, there, false, false, word("The axes go back: press again"), {}, name}
-             : SoftKey{word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held},
+             : SoftKey{word("Jog in hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held},
         {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on, false, false, word("All axes move: press again")},
         {stops() ? word("Emergency stop") : word("Machine on"),
          [this] {

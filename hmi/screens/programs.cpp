@@ -51,13 +51,17 @@ Programs::Programs(Desk& desk)
         if (rows != 0) view_->refresh();
     };
     view_->onCompose = [this](Writer& w) { page_ == Page::Time ? composeTime(w) : composeTogether(w); };
+    for (const unsigned channel : desk_.live.channels())   // where what is selected lies: nobody looks for the job that runs
+        if (const auto& programs = desk_.live.view(channel).programs; desk_.folder.isEmpty() && !programs.empty() && !programs[0].empty()) desk_.folder = QFileInfo(QString::fromStdString(programs[0])).absolutePath();
     if (desk_.folder.isEmpty()) desk_.folder = QDir::currentPath();
     files_->readFolder(desk_.folder);
 }
 
 // Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place; what is compared.
 QString Programs::state() const {
-    QStringList out{QString::number(static_cast<int>(page_)), files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()};
+    const QString chosen = files_->chosenPath();
+    const bool within = chosen.size() > desk_.folder.size();   // the line «Up» is a place in this folder, too
+    QStringList out{QString::number(static_cast<int>(page_)), within ? chosen : desk_.folder + "/."};
     if (!editor_->file().isEmpty()) out << editor_->file() << editor_->language() << QString::number(editor_->part().from) << QString::number(editor_->edit().textCursor().position());
     if (page_ == Page::Compare) out << compare_->left() << compare_->right();
     return out.join('|');

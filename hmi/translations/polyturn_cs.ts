@@ -59,6 +59,11 @@
         <translation>celkem %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 interrupted</source>
+        <translation>přerušeno: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: nyní je %2, zůstává</translation>
@@ -310,8 +315,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
-        <translation>Běží program: ručně se osy posouvají při zastavení, po „Odjet“</translation>
+        <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
+        <translation>Běží program: ručně se osy posouvají při zastavení, po „Ruční pojezd v zastavení“</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -452,6 +457,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>Along axis</source>
         <translation>Podél osy</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>An alarm has ended the lock for cleaning.</source>
+        <translation>Alarm ukončil zámek pro čištění.</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1309,7 +1319,7 @@
         <translation>Elektronická převodovka</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Emergency stop</source>
         <translation>Nouzové zastavení</translation>
     </message>
@@ -1859,7 +1869,7 @@
         <translation>Stop posuvu %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Hold all</source>
         <translation>Stop posuvu: vše</translation>
     </message>
@@ -1989,6 +1999,11 @@
         <translation>Právě běží: znovu</translation>
     </message>
     <message>
+        <location filename="../machine/dry_run.cpp"/>
+        <source>It was stopped.</source>
+        <translation>Bylo to zastaveno.</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>Bloky byly změněny ručně: zápis je nahradí.</translation>
@@ -2022,6 +2037,11 @@
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Přijet k dílu</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Jog in hold %1</source>
+        <translation>Ruční pojezd v zastavení %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2184,11 +2204,6 @@
         <translation>Nejmenší hloubka kroku</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Leave the hold %1</source>
-        <translation>Odjet %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Délka</translation>
@@ -2294,7 +2309,7 @@
         <translation>Blokovaný</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Uzamčeno pro čištění</translation>
     </message>
@@ -2782,6 +2797,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Nothing to load: every tool has a place</source>
         <translation>Není co vložit: každý nástroj má místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Nothing to simulate: %1</source>
+        <translation>Není co simulovat: %1</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4254,6 +4274,11 @@
         <translation>Zakázka je pro jiný stroj: %1</translation>
     </message>
     <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>The keys below act when they are kept pressed.</source>
+        <translation>Klávesy dole působí, když se podrží.</translation>
+    </message>
+    <message>
         <location filename="../screens/stops_page.cpp"/>
         <source>The last %1 days</source>
         <translation>Posledních %1 dní</translation>
@@ -4372,6 +4397,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>Seřizovací list není zapsán: zastaveno.</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>The simulation is being computed: %1 so far</source>
+        <translation>Simulace se počítá: zatím %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -4749,9 +4779,9 @@
         <translation>Dotyk nebo Enter: text</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>Dotyky a klávesy nefungují. Stroj pracuje dál. Panel se odemkne za %1 s.</translation>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Touches and keys do nothing. Unlocks by itself in %1 s, at once when an alarm comes.</source>
+        <translation>Dotyky a klávesy nic nedělají. Odemkne se samo za %1 s, při alarmu ihned.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4862,6 +4892,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Vyjmout</translation>
+    </message>
+    <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Unlock</source>
+        <translation>Odemknout</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -5167,6 +5202,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>bodu synchronizace</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>a program is interrupted</source>
+        <translation>program je přerušen</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -6062,6 +6102,11 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>the place is empty</source>
         <translation>místo je prázdné</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>the program takes no time</source>
+        <translation>program netrvá žádný čas</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

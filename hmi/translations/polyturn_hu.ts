@@ -59,6 +59,11 @@
         <translation>összesen %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 interrupted</source>
+        <translation>megszakítva: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: már %2, így marad</translation>
@@ -310,8 +315,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
-        <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, az „Elállás” után</translation>
+        <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
+        <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, a „Kézi mozgatás álljban” után</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -452,6 +457,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>Along axis</source>
         <translation>Tengely mentén</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>An alarm has ended the lock for cleaning.</source>
+        <translation>Riasztás oldotta fel a tisztítási zárat.</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1309,7 +1319,7 @@
         <translation>Elektronikus hajtómű</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Emergency stop</source>
         <translation>Vészleállítás</translation>
     </message>
@@ -1859,7 +1869,7 @@
         <translation>Állj %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Hold all</source>
         <translation>Állj: mind</translation>
     </message>
@@ -1989,6 +1999,11 @@
         <translation>Most fut: újra</translation>
     </message>
     <message>
+        <location filename="../machine/dry_run.cpp"/>
+        <source>It was stopped.</source>
+        <translation>Leállítva.</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>A mondatokat kézzel módosították: az írás lecseréli őket.</translation>
@@ -2022,6 +2037,11 @@
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Kézzel a darabhoz</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Jog in hold %1</source>
+        <translation>Kézi mozgatás álljban %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2184,11 +2204,6 @@
         <translation>Legkisebb lépésmélység</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Leave the hold %1</source>
-        <translation>Elállás %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Hossz</translation>
@@ -2294,7 +2309,7 @@
         <translation>Zárolt</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Zárolva tisztításhoz</translation>
     </message>
@@ -2782,6 +2797,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Nothing to load: every tool has a place</source>
         <translation>Nincs mit betölteni: minden szerszámnak van helye</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Nothing to simulate: %1</source>
+        <translation>Nincs mit szimulálni: %1</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4254,6 +4274,11 @@
         <translation>A megbízás másik géphez való: %1</translation>
     </message>
     <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>The keys below act when they are kept pressed.</source>
+        <translation>Az alsó billentyűk nyomva tartva hatnak.</translation>
+    </message>
+    <message>
         <location filename="../screens/stops_page.cpp"/>
         <source>The last %1 days</source>
         <translation>Utolsó %1 nap</translation>
@@ -4372,6 +4397,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>A beállítási lap nincs megírva: leállítva.</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>The simulation is being computed: %1 so far</source>
+        <translation>A szimuláció számítása folyik: eddig %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -4749,9 +4779,9 @@
         <translation>Érintés vagy Enter: szöveg</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>A képernyő és a billentyűk nem reagálnak, a gép dolgozik. %1 s múlva magától feloldódik.</translation>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Touches and keys do nothing. Unlocks by itself in %1 s, at once when an alarm comes.</source>
+        <translation>Az érintés és a billentyűk nem hatnak. Magától felold %1 s múlva, riasztáskor azonnal.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4862,6 +4892,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Kivétel</translation>
+    </message>
+    <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Unlock</source>
+        <translation>Feloldás</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -5167,6 +5202,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>jelölő</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>a program is interrupted</source>
+        <translation>egy program megszakadt</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -6062,6 +6102,11 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>the place is empty</source>
         <translation>üres a hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>the program takes no time</source>
+        <translation>a program nem vesz igénybe időt</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

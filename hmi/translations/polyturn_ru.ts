@@ -59,6 +59,11 @@
         <translation>всего %1</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>%1 interrupted</source>
+        <translation>прерваны: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: уже %2, оставлено как есть</translation>
@@ -310,8 +315,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>A program runs: axes are moved by hand in a hold, after «Leave the hold»</source>
-        <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Отвод»</translation>
+        <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
+        <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Ручное перемещение в останове»</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -452,6 +457,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>Along axis</source>
         <translation>Вдоль оси</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>An alarm has ended the lock for cleaning.</source>
+        <translation>Авария сняла блокировку для протирки.</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -1309,7 +1319,7 @@
         <translation>Электронный редуктор</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Emergency stop</source>
         <translation>Аварийный останов</translation>
     </message>
@@ -1859,7 +1869,7 @@
         <translation>Стоп подачи %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Hold all</source>
         <translation>Стоп подачи всех</translation>
     </message>
@@ -1989,6 +1999,11 @@
         <translation>Она работает: ещё раз</translation>
     </message>
     <message>
+        <location filename="../machine/dry_run.cpp"/>
+        <source>It was stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>Кадры изменены вручную: запись их заменит.</translation>
@@ -2022,6 +2037,11 @@
         <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Подвести к детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Jog in hold %1</source>
+        <translation>Ручное перемещение в останове %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2184,11 +2204,6 @@
         <translation>Наименьшая глубина шага</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Leave the hold %1</source>
-        <translation>Отвод %1</translation>
-    </message>
-    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Длина</translation>
@@ -2294,7 +2309,7 @@
         <translation>Заблокирован</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
+        <location filename="../app/cleaning_lock.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Экран заблокирован для протирки</translation>
     </message>
@@ -2782,6 +2797,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Nothing to load: every tool has a place</source>
         <translation>Загружать нечего: у каждого инструмента есть место</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Nothing to simulate: %1</source>
+        <translation>Нечего моделировать: %1</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4254,6 +4274,11 @@
         <translation>Задание для другого станка: %1</translation>
     </message>
     <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>The keys below act when they are kept pressed.</source>
+        <translation>Клавиши внизу действуют, если их удерживать.</translation>
+    </message>
+    <message>
         <location filename="../screens/stops_page.cpp"/>
         <source>The last %1 days</source>
         <translation>Последние %1 дней</translation>
@@ -4372,6 +4397,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>Карта наладки не записана: остановлено.</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>The simulation is being computed: %1 so far</source>
+        <translation>Моделирование вычисляется: пока %1</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -4749,9 +4779,9 @@
         <translation>Касание или Enter: текст</translation>
     </message>
     <message>
-        <location filename="../app/main_window.cpp"/>
-        <source>Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.</source>
-        <translation>Касания и клавиши не действуют. Станок продолжает работу. Блокировка снимется через %1 с.</translation>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Touches and keys do nothing. Unlocks by itself in %1 s, at once when an alarm comes.</source>
+        <translation>Касания и клавиши не действуют. Разблокируется само через %1 с, при аварии — сразу.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -4862,6 +4892,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Извлечь</translation>
+    </message>
+    <message>
+        <location filename="../app/cleaning_lock.cpp"/>
+        <source>Unlock</source>
+        <translation>Разблокировать</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -5167,6 +5202,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>метки</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>a program is interrupted</source>
+        <translation>программа прервана</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -6062,6 +6102,11 @@
         <location filename="../machine/setup_sheet.cpp"/>
         <source>the place is empty</source>
         <translation>место пусто</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>the program takes no time</source>
+        <translation>программа не занимает времени</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -65,11 +65,20 @@ const SetWords& setWords(const QString& text, const QFont& font, double wide, bo
 
 double wordsWidth(const QString& text, const QFont& font) { return setWords(text, font, -1, false).width; }
 
+bool wordsFit(const QString& text, const QFont& font, const QSizeF& room) {
+    const SetWords& set = setWords(text, font, room.width(), true);
+    return set.height <= room.height() + 1 && set.width <= room.width() + QFontMetricsF(font).horizontalAdvance(' ');   // a space may hang over
+}
+
+QFont letteringThatFits(const QString& text, const QSizeF& room, double units, double least, Face face, bool bold) {
+    constexpr double kStep = 0.5;
+    for (; units > least; units -= kStep)
+        if (QFont font = lettering(units, bold, face); wordsFit(text, font, room)) return font;
+    return lettering(least, bold, face);
+}
+
 QString wordsCutTo(const QString& text, const QFont& font, const QSizeF& room) {
-    const auto fits = [&](const QString& words) {
-        const SetWords& set = setWords(words, font, room.width(), true);
-        return set.height <= room.height() + 1 && set.width <= room.width() + QFontMetricsF(font).horizontalAdvance(' ');   // a space may hang over
-    };
+    const auto fits = [&](const QString& words) { return wordsFit(words, font, room); };
     if (fits(text)) return text;
     for (qsizetype end = text.lastIndexOf(' '); end > 0; end = text.lastIndexOf(' ', end - 1))
         if (const QString less = text.left(end).trimmed() + QChar(0x2026); fits(less)) return less;

@@ -8,6 +8,8 @@
 #include <QRectF>
 #include <QString>
 
+#include "hmi/widgets/theme.hpp"
+
 class QPainter;
 
 namespace polyturn::hmi {
@@ -31,6 +33,10 @@ void paintSetLines(QPainter& painter, const QRectF& box, int align, const SetWor
 void paintSetWords(QPainter& painter, const QRectF& box, int align, const QString& text, const QFont& font, bool wraps = false);
 // How wide a line is.
 double wordsWidth(const QString& text, const QFont& font);
+// On several lines, all of it.
+bool wordsFit(const QString& text, const QFont& font, const QSizeF& room);
+// The largest lettering from `units` down to `least` with which all of a text has room on several lines; where none has, the least.
+QFont letteringThatFits(const QString& text, const QSizeF& room, double units, double least, Face face, bool bold = false);
 // As much of a text, set on several lines, as there is room for; with three dots where words had to go.
 QString wordsCutTo(const QString& text, const QFont& font, const QSizeF& room);
 

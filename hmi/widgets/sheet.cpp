@@ -94,7 +94,7 @@ const NumberGlyphs* numberGlyphs(const Item& item) {
 }
 
 bool fits(const Item& item) {
-    if (item.wraps) return QFontMetricsF(item.font).boundingRect(item.box, item.align | Qt::TextWordWrap, item.text).height() <= item.box.height() + 1.5;
+    if (item.wraps) return wordsFit(item.text, item.font, item.box.size());
     return setWords(item.text, item.font, item.box.width(), false).fits;
 }
 

@@ -1,8 +1,10 @@
 #include "hmi/widgets/soft_keys.hpp"
-#include "hmi/widgets/upright.hpp"
 
 #include <QFontMetricsF>
 #include <algorithm>
+
+#include "hmi/widgets/set_words.hpp"
+#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 
@@ -49,14 +51,18 @@ void SoftKeyBar::letGo(int number) {
     refresh();
 }
 
+QRectF SoftKeyBar::place(int key, const QSizeF& bar, bool upright) {
+    const int columns = upright ? kKeys / 2 : kKeys, rows = kKeys / columns;
+    const double gap = px(5), each = (bar.width() - gap * (columns + 1)) / columns, high = (bar.height() - gap * (rows + 1)) / rows;
+    return {gap + key % columns * (each + gap), gap + key / columns * (high + gap), each, high};
+}
+
 void SoftKeyBar::compose(Writer& w) {
     const Theme& t = theme();
     w.fill(QRectF(0, 0, width(), height()), t.bar);
-    const int columns = upright(*this) ? kKeys / 2 : kKeys, rows = kKeys / columns;   // on an upright panel two rows
-    const double gap = px(5), each = (width() - gap * (columns + 1)) / static_cast<double>(columns), high = (height() - gap * (rows + 1)) / rows;
     for (int i = 0; i < kKeys && i < static_cast<int>(keys_.size()); ++i) {
         const SoftKey& key = keys_[static_cast<std::size_t>(i)];
-        const QRectF box(gap + i % columns * (each + gap), gap + i / columns * (high + gap), each, high);
+        const QRectF box = place(i, QSizeF(size()), upright(*this));
         if (key.text.isEmpty()) {
             w.frame(box, t.raised, px(7), 1);
             continue;
@@ -66,23 +72,31 @@ void SoftKeyBar::compose(Writer& w) {
         const QColor ink = !key.enabled ? t.faint : asked ? (t.dark ? QColor("#201400") : QColor("#ffffff")) : down_ == i ? t.onAccent : t.text;
         w.fill(box, face, px(7));
         w.frame(box, key.on ? t.accent : asked ? t.warn : t.edge, px(7), key.on ? px(2) : 1);
-        w.text(QRectF(box.right() - px(30), box.top() + px(3), px(25), px(15)), QString("F%1").arg(i + 1), lettering(11), !key.enabled ? t.faint : asked ? ink : t.dim,
-               Qt::AlignRight | Qt::AlignVCenter);
-        if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
-        const double left = box.left() + px(7);
-        const bool plain = key.confirm.isEmpty();
-        if (!key.object.isEmpty() && (asked || plain)) {   // a question has it in the place of the sign
-            const double from = box.left() + px(plain ? 26 : 7);
-            const QRectF room(from, box.top() + px(3), box.right() - px(30) - from, px(15));
-            const QFont small = lettering(12, true, Face::Condensed);
-            w.data(room, QFontMetricsF(small).elidedText(key.object, Qt::ElideMiddle, room.width() - px(2)), small, ink);
+        if (key.on && !asked) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
+        const bool plain = key.confirm.isEmpty(), named = !key.object.isEmpty() && (asked || plain);   // a question has it in the place of the sign
+        // The words go below the sign. A question that is longer than that has the whole key: what is asked goes before what the key is called.
+        const QString& words = asked ? key.confirm : key.text;
+        QRectF room(box.left() + px(7), box.top() + px(19), box.width() - px(13), box.height() - px(24));
+        QFont font = lettering(14.5, false, Face::Condensed);
+        bool whole = false;
+        if (!wordsFit(words, font, room.size())) {
+            whole = asked && !named;
+            room = box.adjusted(px(4), px(whole ? 3 : 18), -px(4), -px(2));
+            font = letteringThatFits(words, room.size(), 14.5, 10.5, Face::Condensed);
         }
-        if (key.sign != Sign::None && (!asked || key.object.isEmpty())) {
+        if (!whole)
+            w.text(QRectF(box.right() - px(30), box.top() + px(3), px(25), px(15)), QString("F%1").arg(i + 1), lettering(11), !key.enabled ? t.faint : asked ? ink : t.dim,
+                   Qt::AlignRight | Qt::AlignVCenter);
+        if (named) {
+            const double from = box.left() + px(plain ? 26 : 7);
+            const QRectF line(from, box.top() + px(3), box.right() - px(30) - from, px(15));
+            const QFont small = lettering(12, true, Face::Condensed);
+            w.data(line, QFontMetricsF(small).elidedText(key.object, Qt::ElideMiddle, line.width() - px(2)), small, ink);
+        }
+        if (key.sign != Sign::None && !whole && (!asked || key.object.isEmpty())) {
             w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
         }
-        Item& label = w.text(QRectF(left, box.top() + px(19), box.right() - px(6) - left, box.height() - px(24)), asked ? key.confirm : key.text,
-                             lettering(14.5, false, Face::Condensed), ink, Qt::AlignHCenter | Qt::AlignVCenter);
-        label.wraps = true;
+        w.text(room, words, font, ink, Qt::AlignHCenter | Qt::AlignVCenter).wraps = true;
         w.hit(box, i);
     }
 }

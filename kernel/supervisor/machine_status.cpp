@@ -10,6 +10,7 @@
 
 #include "ipc/diagnosis/languages.hpp"
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/active_tool.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/machine_step.hpp"
 #include "ipc/machine/start_words.hpp"
@@ -70,14 +71,6 @@ struct Picture {
     std::array<std::int32_t, kMaxChannels> shown_tool{};   // what the PLC says is active; 0 nothing
 };
 
-// N2901 TSP: of the channel, or of the spindle that its tools are in.
-std::int32_t shown_tool(const params::Table& table, const PlcOutputs& plc, unsigned channel) {
-    if (!params::bit(table, params::n2901_search_config, channel, 7)) return plc.signal[PlcSignal{signals::cp_actt}(channel)];
-    const auto driven = params::get(table, params::pt_driven_spindle, channel), own = params::get(table, params::n0604_default_spindle, channel);
-    const auto spindle = static_cast<std::uint32_t>(driven > 0 ? driven : own);
-    return spindle >= 1 && spindle <= kMaxSpindles ? plc.signal[PlcSignal{signals::sp_actt}(spindle)] : 0;
-}
-
 Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     auto supervisor = PeerSegment<SupervisorSegment>::attach(instance);
     if (!supervisor) return supervisor.diagnosis();
@@ -95,7 +88,7 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     picture->machine = derive_machine_config(*table);
     picture->tick_s = static_cast<double>((*kernel)->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     if (const auto plc = std::make_unique<PlcOutputs>(); (*kernel)->plc_seen.read(*plc))
-        for (unsigned number = 1; number <= kMaxChannels; ++number) picture->shown_tool[number - 1] = shown_tool(*table, *plc, number);
+        for (unsigned number = 1; number <= kMaxChannels; ++number) picture->shown_tool[number - 1] = active_tool(*table, *plc, number);
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const ProcessEntry& entry = (*supervisor)->processes[slot];
         if (entry.state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running))

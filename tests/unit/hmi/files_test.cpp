@@ -32,6 +32,38 @@ QByteArray read(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("no such file");
 }
 
+// What the system keeps there is no program, and the key that deletes is at hand.
+TEST(Folders, OfTheSystemAreNotOffered) {
+    const FolderList root = listFolder("/");
+    EXPECT_TRUE(root.readable);
+    EXPECT_GT(root.entries.size(), 3u);
+    for (const FileEntry& one : root.entries) EXPECT_FALSE(one.name == "proc" || one.name == "sys" || one.name == "dev") << one.name.toStdString();
+    QTemporaryDir folder;
+    ASSERT_TRUE(QDir(folder.path()).mkdir("dev"));
+    EXPECT_EQ(listFolder(folder.path()).entries.back().name, "dev") << "elsewhere it is a name like others";
+}
+
+// With the cursor on «Up» another language, another theme or a restart leave the folder where it is.
+TEST(Folders, StayWhereTheyAreWithTheCursorOnUp) {
+    QTemporaryDir folder;
+    ASSERT_TRUE(QDir(folder.path()).mkpath("jobs/shaft"));
+    const QString here = QFileInfo(folder.filePath("jobs/shaft")).canonicalFilePath();
+    write(here + "/O1.nc", "O1\nM30\n");
+    MainWindow window({"hmi-test-nobody", "en", "dark", {}, {}});
+    window.resize(1280, 800);
+    window.show();
+    for (std::size_t i = 0; i < window.screens().size(); ++i)
+        if (QString(window.screens()[i]->name()) == "programs") window.showScreen(static_cast<int>(i));
+    window.screen()->restore("0|" + here + "/.");
+    ASSERT_TRUE(waitFor([&] { return window.desk().folder == here && standsOn(window.screen()->sheets(), "O1.nc"); }));
+    QTest::keyClick(&window, Qt::Key_Home), QTest::keyClick(&window, Qt::Key_PageUp);
+    for (const bool dark : {false, true, false}) {
+        window.setDark(dark);
+        frames(window, 300);
+        EXPECT_EQ(window.desk().folder.toStdString(), here.toStdString());
+    }
+}
+
 TEST(Transfer, BringsTheSameBytesAndLeavesNothingBeside) {
     QTemporaryDir folder;
     const QByteArray bytes = QByteArray("N10 G1 X40.\n").repeated(100'000);

@@ -269,6 +269,63 @@ TEST(ManyChannelsCard, TellsToolAndCodesOfALoopThatIsReadFarAhead) {
     ASSERT_TRUE(controller.press("reset"));
 }
 
+// State and cause are the most important words of a card: an alarm, a wait with its partner and what a start lacks, on every panel.
+class CardsInTrouble : public ::testing::TestWithParam<int> {};
+
+TEST_P(CardsInTrouble, TellStateAndCauseWhole) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("many.params"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(machineWith(GetParam()));
+    file.close();
+    Controller controller(file.fileName());
+    Choices choices;
+    choices.instance = controller.name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow window(choices);
+    window.resize(1280, 800);
+    window.show();
+    const Live& live = window.desk().live;
+    const auto last = static_cast<unsigned>(GetParam());
+    ASSERT_TRUE(waitFor([&] { return live.connected() && live.channels().size() == last; }));
+    ASSERT_TRUE(controller.press("machine_on") && controller.press("reference all"));
+    const auto write = [&](const char* name, const char* text) {
+        QFile program(folder.filePath(name));
+        EXPECT_TRUE(program.open(QIODevice::WriteOnly));
+        program.write(text);
+        return program.fileName();
+    };
+    ASSERT_TRUE(controller.press("select L1=" + write("O1.nc", "O1\nN10 M98 P9876\nN20 M30\n")));
+    ASSERT_TRUE(controller.press("select L2=" + write("O2.nc", "O2\nN10 M503 P12 (meets the first)\nN20 M30\n")));
+    ASSERT_TRUE(waitFor([&] { return live.channel(1).start_missing == 0 && live.channel(2).start_missing == 0; }));
+    ASSERT_TRUE(controller.press("cycle_start L2") && controller.press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelState>(live.channel(1).state) == ChannelState::Interrupted && static_cast<ChannelState>(live.channel(2).state) == ChannelState::Waiting; }));
+    for (const QSize size : {QSize(1280, 800), QSize(768, 1024), QSize(1920, 1080)}) {
+        window.resize(size);
+        frames(window, 100);
+        noWordIsShortened(window);
+        for (const Tongue tongue : kTongues) {
+            window.setTongue(tongue);
+            window.showScreen(0);
+            frames(window, 30);
+            for (unsigned channel = 1; channel <= std::min(last, 3u); ++channel) {
+                const QString state = stateWords(live.channel(channel)).text;
+                const auto& items = window.screen()->sheets()[channel - 1]->items();
+                const auto told = std::find_if(items.begin(), items.end(), [&](const Item& one) { return one.text == state; });
+                ASSERT_NE(told, items.end()) << channel;
+                EXPECT_LE(QFontMetricsF(told->font).horizontalAdvance(state), told->box.width() + 1) << size.width() << "x" << size.height() << " " << codeOf(tongue) << " L" << channel << ": " << state.toStdString();
+            }
+        }
+        window.setTongue(Tongue::English);
+    }
+    // A machine of which a program is broken off is not told to be ready, in green.
+    ASSERT_TRUE(controller.press("reset L2"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelState>(live.channel(2).state) == ChannelState::Reset; }));
+    frames(window, 100);
+    EXPECT_FALSE(standsOn({window.ownSheets()[0]}, "ready")) << "L1 is interrupted";
+}
+
+INSTANTIATE_TEST_SUITE_P(Panel, CardsInTrouble, ::testing::Values(2, 3, 16));
 INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 4, 8, 16));
 
 }  // namespace

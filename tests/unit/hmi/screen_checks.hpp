@@ -77,6 +77,29 @@ inline bool standsOn(const std::vector<Sheet*>& sheets, const QString& text) {
     return false;
 }
 
+// Each key that asks before it acts, lit or not, in its asking state; `tell` hears what does not fit there. Nothing acts.
+inline void askEach(SoftKeyBar& bar, const std::vector<SoftKey>& keys, const std::function<void(const QString&)>& tell) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].confirm.isEmpty()) continue;
+        std::vector<SoftKey> lit = keys;
+        lit[i].enabled = true;
+        bar.show({}), bar.show(lit);
+        bar.press(static_cast<int>(i));
+        EXPECT_EQ(bar.asked(), static_cast<int>(i));
+        for (const QString& text : bar.shortened()) tell(text);
+        for (const QString& text : bar.overlapping()) tell(text);
+    }
+    bar.show({}), bar.show(keys);
+}
+
+// Lines that are cut above or below: neither dots nor a gap say that something is missing, so data too.
+inline std::vector<QString> cutLines(const Sheet& sheet) {
+    std::vector<QString> out;
+    for (const Item& item : sheet.items())
+        if (item.kind == Item::Kind::Text && item.wraps && QFontMetricsF(item.font).boundingRect(QRectF(0, 0, item.box.width(), 1e5), Qt::TextWordWrap, item.text).height() > item.box.height() + 1.5) out.push_back(item.text);
+    return out;
+}
+
 // Every text that does not fit, with where it stands; `looked` counts the sheets that were asked.
 inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked, ProgramPages wanted = ProgramPages::AsTheyAre) {
     std::vector<std::string> found;
@@ -92,8 +115,10 @@ inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked, 
                 for (const QString& text : sheet->shortenedData())
                     if (own.count(text)) found.push_back(where + text.toStdString() + " (a word of ours)");
                 if (!sheet->isVisibleTo(&window)) continue;
+                for (const QString& text : cutLines(*sheet)) found.push_back(where + text.toStdString() + " (its lines are cut)");
                 for (const QString& text : sheet->overlapping()) found.push_back(where + text.toStdString());
             }
+            if (sheets != window.overSheets()) askEach(window.softKeys(), window.screen()->keys(), [&](const QString& text) { found.push_back(where + text.toStdString() + " (a key that asks)"); });
         });
     }
     window.setTongue(Tongue::English);

@@ -108,7 +108,7 @@ TEST_F(Tasks, LeaveAHoldJogAwayAndReturn) {
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && !(live().status().axes[0].flags & kMoving) && !(live().status().axes[1].flags & kMoving); }));
     const double left_at = live().status().axes[0].cmd;
     frames(*window, 300);
-    hand.soft("Leave the hold L1");
+    hand.soft("Jog in hold L1");
     Manual& manual = screenOf<Manual>();
     ASSERT_TRUE(waitFor([&] { return (live().channel(1).start_missing >> 7 & 1u) != 0; }));
     hand.touch(&manual.axes(), Manual::kStepHits + 5);     // 10 mm
@@ -321,7 +321,7 @@ TEST_F(Tasks, JogKeysOfARunningProgramSayWhyTheyDoNothing) {
     Manual& manual = screenOf<Manual>();
     hand.touch(&manual.axes(), Manual::jogHit(1, true));
     frames(*window, 60);
-    EXPECT_TRUE(standsOn(window->ownSheets(), "A program runs: axes are moved by hand in a hold, after «Leave the hold»"));
+    EXPECT_TRUE(standsOn(window->ownSheets(), "A program runs: axes are moved by hand in a hold, after «Jog in hold»"));
     EXPECT_EQ(window->desk().alarms.standing(1), nullptr) << "nothing was asked of the kernel";
 }
 
