@@ -210,6 +210,26 @@ class Requests(LiveCase):
         self.assertEqual(self.running.returncode, 0)
         self.assertLess(time.monotonic() - begin, 15)
 
+    def test_wrong_log_ins_keep_nobody_from_the_store(self):
+        """Each costs the store a hash. Judged by order, not by time: when somebody else has been served, not all of them have been."""
+        self.assertTrue(self.client().ask({"do": "store", "op": {"do": "users.add", "name": "maker", "password": "secret!", "level": "maker"}})["ok"])
+        wrong = self.client()
+        for _ in range(60):
+            wrong.send({"do": "store", "op": {"do": "users.login", "name": "nobody", "password": "wrong"}})
+        time.sleep(0.1)
+        self.assertTrue(self.client().ask({"do": "store", "op": {"do": "tools.list"}})["ok"])
+        wrong.socket.setblocking(False)
+        try:
+            wrong.got += wrong.socket.recv(1 << 20)
+        except BlockingIOError:
+            pass
+        self.assertLess(wrong.got.count(b"\n"), 30)
+        wrong.socket.setblocking(True)
+        right = self.client().ask({"do": "store", "op": {"do": "users.login", "name": "maker", "password": "secret!"}})
+        self.assertTrue(right["ok"] or right["number"] == "PT0336", right)   # of the same user of the computer: he may have to wait
+        for _ in range(12):
+            self.assertFalse(wrong.line()["ok"])
+
     def test_steps_out_of_reach_are_refused(self):
         one = self.client()
         for words in ("step A2+ 1e308", "step A2- 1e9", "jog A2+ 1e300s", "handwheel 1 A2 +1e300", "handwheel 1 A2 1e12", "warm_up L1=1e300", "restart L1=N1e300", "answer L1 key=1e300",
