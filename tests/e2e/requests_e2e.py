@@ -189,8 +189,12 @@ class Requests(LiveCase):
         one.send({"do": "press", "words": "feed_hold"})   # acts at once, is answered in its turn
         self.assertTrue(other.ask({"do": "press", "words": "feed_hold"})["ok"])
         self.assertLess(time.monotonic() - begin, 2.0)
+        importing = self.client()
+        importing.send({"do": "parameters", "import": True, "lines": ["N1600 L1=2.5"] * 1000})
         self.assertFalse(one.line()["ok"])
         self.assertLess(time.monotonic() - begin, 9.0)
+        self.assertFalse(importing.line()["ok"], "an import too: its store shows no life")
+        self.assertLess(time.monotonic() - begin, 12.0)
         self.assertTrue(one.line()["ok"])
 
     def test_a_frozen_kernel_does_not_keep_the_controller_from_ending(self):
