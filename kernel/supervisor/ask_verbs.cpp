@@ -11,6 +11,7 @@
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/json_fields.hpp"
 #include "kernel/supervisor/machine_status.hpp"
 #include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/request_socket.hpp"
@@ -54,19 +55,19 @@ bool ask(const std::string& instance, const std::string& request, std::string* a
         return false;
     }
     const Json reply = Json::parse(*got, nullptr, false);
-    if (!reply.is_discarded() && reply.value("ok", false)) {
+    if (const auto ok = reply.is_object() ? reply.find("ok") : reply.end(); reply.is_object() && ok != reply.end() && ok->is_boolean() && ok->get<bool>()) {
         if (answer) *answer = *got;
         return true;
     }
     const auto shown = [](const Json& one) {
         std::string place;
-        if (one.contains("row")) place += fmt::format(fmt::runtime(say("row {}, ")), one.value("row", 0));
-        if (one.contains("column")) place += fmt::format(fmt::runtime(say("column {}: ")), one.value("column", ""));
+        if (one.contains("row")) place += fmt::format(fmt::runtime(say("row {}, ")), count_field(one, "row"));
+        if (one.contains("column")) place += fmt::format(fmt::runtime(say("column {}: ")), text_field(one, "column"));
         else if (!place.empty()) place.replace(place.size() - 2, 2, ": ");
-        return fmt::format("{}alarm {}: {}\n   {}\n", place, one.value("number", ""), one.value("text", ""), one.value("remedy", ""));
+        return fmt::format("{}alarm {}: {}\n   {}\n", place, text_field(one, "number"), text_field(one, "text"), text_field(one, "remedy"));
     };
     std::string words;
-    if (reply.is_discarded()) words = *got;
+    if (!reply.is_object()) words = *got;
     else if (const auto faults = reply.find("faults"); faults != reply.end() && faults->is_array())
         for (const Json& one : *faults) words += shown(one);
     else
@@ -118,7 +119,7 @@ int show_alarms(const CommandLine& line) {
     std::string answer;
     if (!ask(line.instance.empty() ? "polyturn" : line.instance, R"({"do":"alarms"})", &answer)) return 2;
     const Json reply = Json::parse(answer, nullptr, false);
-    if (reply.is_discarded() || !reply.contains("alarms")) return 2;
+    if (!reply.is_object() || !reply.contains("alarms") || !reply["alarms"].is_array()) return 2;
     if (line.json) {
         print(reply["alarms"].dump() + "\n");
         return 0;

@@ -58,6 +58,7 @@ public:
     bool ask_store(const StoreRequest& request);
     bool next_answer(StoreAnswer& answer);
     std::uint64_t asked() const { return request_; }   // the number of the last request
+    std::uint64_t taken() const { return store().request_tail.tail.load(std::memory_order_acquire); }   // of the last one that the store has taken
     // Of the requests that the dead store has not taken nothing is left: its successor goes on behind them. Only between its death and restart().
     void forget_requests();
     void forget_taken_requests();   // passwords do not stay in shared memory

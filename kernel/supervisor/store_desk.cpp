@@ -35,9 +35,18 @@ bool StoreDesk::logging_in() const {
 
 void StoreDesk::add(Errand errand) {
     Open open;
-    open.until = errand.client == 0 ? Clock::time_point::max() : Clock::now() + errand.patience;
+    open.since = Clock::now();
     open.errand = std::move(errand);
     errands_.push_back(std::move(open));
+}
+
+// A store that shows no life is given no more than kPatience, whatever it was asked; one that works on a long errand, or takes its
+// lines, has the errand's.
+bool StoreDesk::late(const Open& open, Clock::time_point now, std::uint64_t taken) const {
+    if (open.told || open.errand.client == 0 || now - open.since < kPatience) return false;
+    if (now - open.since >= open.errand.patience) return true;
+    const bool under_work = &open == &errands_.front() && open.all_sent() && open.last_id <= taken;
+    return !under_work && now - alive_ >= kPatience;
 }
 
 void StoreDesk::tell(Open& open, End end, const std::string& text, const Told& told) {
@@ -74,6 +83,7 @@ bool StoreDesk::send(Controller& controller, Open& open) {
 void StoreDesk::take(Controller& controller, const Told& told) {
     StoreAnswer answer;
     while (controller.next_answer(answer)) {
+        alive_ = Clock::now();
         // Answers come in the order of what was asked.
         while (!errands_.empty() && errands_.front().all_sent() && errands_.front().last_id < answer.id) {
             tell(errands_.front(), End::Died, {}, told);
@@ -98,8 +108,10 @@ void StoreDesk::take(Controller& controller, const Told& told) {
 
 void StoreDesk::move(Controller& controller, Clock::time_point now, const Told& told) {
     take(controller, told);
+    const std::uint64_t taken = controller.taken();
+    if (taken != taken_ || errands_.empty()) taken_ = taken, alive_ = now;
     for (Open& open : errands_)
-        if (!open.told && now >= open.until) tell(open, End::Late, {}, told);
+        if (late(open, now, taken)) tell(open, End::Late, {}, told);
     // What has not begun need not be done any more. What has begun and cannot go on is broken off where the store sees it: the next
     // operation begins at 0, and lines of an import do not mix with those of the next one.
     for (auto at = errands_.begin(); at != errands_.end();) {
@@ -128,7 +140,7 @@ void StoreDesk::store_died(Controller& controller, const Told& told) {
         if (may_go_again) {
             Open fresh;
             fresh.errand = std::move(open.errand);
-            fresh.until = open.until;
+            fresh.since = open.since;
             again.push_back(std::move(fresh));
         } else {
             tell(open, End::Died, {}, told);

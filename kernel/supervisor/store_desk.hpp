@@ -27,7 +27,7 @@ struct Errand {
     UserLevel level = UserLevel::None;
     std::uint32_t user = 0;
     bool login = false, hashes = false;      // its answer becomes a token; the store computes a password's hash for it
-    std::chrono::seconds patience{5};
+    std::chrono::seconds patience{5};        // while the store works on it; 5 s are enough for it to begin
 };
 
 class StoreDesk {
@@ -51,7 +51,7 @@ public:
 private:
     struct Open {
         Errand errand;
-        Clock::time_point until;
+        Clock::time_point since;
         std::size_t sent = 0;                          // characters or lines
         std::uint64_t first_id = 0, last_id = 0;       // of its pieces; 0: none is sent, the last is not
         std::string text, refused;                     // of the answer so far
@@ -60,9 +60,12 @@ private:
     };
     bool send(Controller& controller, Open& open);     // false: no room
     void take(Controller& controller, const Told& told);
+    bool late(const Open& open, Clock::time_point now, std::uint64_t taken) const;
     static void tell(Open& open, End end, const std::string& text, const Told& told);
 
     std::deque<Open> errands_;                         // in the order of their pieces
+    std::uint64_t taken_ = 0;
+    Clock::time_point alive_{};                        // when the store last took or answered something
 };
 
 // An operation that may take long: backups, long lists, imports.

@@ -189,8 +189,12 @@ class Requests(LiveCase):
         one.send({"do": "press", "words": "feed_hold"})   # acts at once, is answered in its turn
         self.assertTrue(other.ask({"do": "press", "words": "feed_hold"})["ok"])
         self.assertLess(time.monotonic() - begin, 2.0)
+        importing = self.client()
+        importing.send({"do": "parameters", "import": True, "lines": ["N1600 L1=2.5"] * 1000})
         self.assertFalse(one.line()["ok"])
         self.assertLess(time.monotonic() - begin, 9.0)
+        self.assertFalse(importing.line()["ok"], "an import too: its store shows no life")
+        self.assertLess(time.monotonic() - begin, 12.0)
         self.assertTrue(one.line()["ok"])
 
     def test_a_frozen_kernel_does_not_keep_the_controller_from_ending(self):
@@ -209,6 +213,26 @@ class Requests(LiveCase):
         self.running.wait(timeout=20)
         self.assertEqual(self.running.returncode, 0)
         self.assertLess(time.monotonic() - begin, 15)
+
+    def test_wrong_log_ins_keep_nobody_from_the_store(self):
+        """Each costs the store a hash. Judged by order, not by time: when somebody else has been served, not all of them have been."""
+        self.assertTrue(self.client().ask({"do": "store", "op": {"do": "users.add", "name": "maker", "password": "secret!", "level": "maker"}})["ok"])
+        wrong = self.client()
+        for _ in range(60):
+            wrong.send({"do": "store", "op": {"do": "users.login", "name": "nobody", "password": "wrong"}})
+        time.sleep(0.1)
+        self.assertTrue(self.client().ask({"do": "store", "op": {"do": "tools.list"}})["ok"])
+        wrong.socket.setblocking(False)
+        try:
+            wrong.got += wrong.socket.recv(1 << 20)
+        except BlockingIOError:
+            pass
+        self.assertLess(wrong.got.count(b"\n"), 30)
+        wrong.socket.setblocking(True)
+        right = self.client().ask({"do": "store", "op": {"do": "users.login", "name": "maker", "password": "secret!"}})
+        self.assertTrue(right["ok"] or right["number"] == "PT0336", right)   # of the same user of the computer: he may have to wait
+        for _ in range(12):
+            self.assertFalse(wrong.line()["ok"])
 
     def test_steps_out_of_reach_are_refused(self):
         one = self.client()
