@@ -31,6 +31,7 @@ void Machine::start() {
     core_.virtual_time = options.virtual_time != 0;
     core_.spindle_couplings = &spindle_couplings_;
     core_.guard = &guard_;
+    core_.couplings = &couplings_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
     slides_.configure(core_.table, core_.config);
@@ -200,6 +201,11 @@ void Machine::supervise() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (channels_[l]->silent_too_long()) {
             channels_[l]->process_died(Alarm::ChannelSilent);
+            partner_death(l);
+        }
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (channels_[l]->sends_what_cannot_be()) {
+            channels_[l]->turn_away();
             partner_death(l);
         }
     const std::int32_t message = core_.signals.plc(signals::plc_alarm());
