@@ -38,6 +38,7 @@ void Machine::start_channels(const Command& command) noexcept {
 }
 
 void Machine::take_commands() noexcept {
+    if (is_left_alone()) return;
     commands_.drain(core_.tick);
     while (const Command* command = commands_.next_due(core_.tick)) {
         const Command due = *command;  // an action may bring further commands into the queue

@@ -312,7 +312,30 @@ void Machine::stop_all(Alarm reason, double value) noexcept {
     for (auto& runner : channels_) runner->interrupt();
 }
 
+void Machine::left_alone() noexcept {
+    if (!is_left_alone()) {
+        alone_since_ = core_.tick;
+        stop_all(Alarm::SupervisorSilent);
+        release_waits_ = on_waits_ = false;
+        switch_on_at_ = -1;
+        return;
+    }
+    const double alone_s = static_cast<double>(core_.tick - alone_since_) * core_.config.tick_s;
+    if (core_.tick > alone_since_ + 1 && (all_stands() || alone_s > kLeftAloneMostS)) core_.end_run = true;
+}
+
+bool Machine::all_stands() noexcept {
+    for (const auto& channel : channels_)
+        if (!channel->rests()) return false;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.axes[a].exists() && core_.axes[a].moving()) return false;
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
+        if (core_.spindles[s].exists() && (core_.spindles[s].command() != 0.0 || !core_.spindles[s].standing())) return false;
+    return true;
+}
+
 bool Machine::idle() noexcept {
+    if (is_left_alone()) return false;
     commands_.drain(core_.tick);
     if (switch_on_at_ >= 0) return false;
     if (!commands_.empty() || core_.store.question_open()) return false;
