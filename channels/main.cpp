@@ -3,6 +3,7 @@
 
 #include "channels/check/check_mode.hpp"
 #include "channels/process/run_mode.hpp"
+#include "ipc/memory/life_line.hpp"
 
 int main(int argc, char** argv) {
     using namespace polyturn;
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
         std::fputs("polyturn-channel: --instance or --check is needed; see --help\n", stderr);
         return 2;
     }
+    end_with_kernel(instance);
     const auto ended = channels::run_mode({instance, options.channel, options.language, options.setup, retained, options.variables});
     if (!ended) {
         std::fputs(render(ended.diagnosis(), Dialect::Polyturn, {}).c_str(), stderr);

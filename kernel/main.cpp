@@ -1,4 +1,6 @@
 // polyturn-kernel: the cyclic process of one controller. Started by the supervisor; ends with it.
+#include <signal.h>
+
 #include <atomic>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +13,7 @@
 #include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/drive_sources.hpp"
 #include "ipc/machine/room.hpp"
+#include "ipc/memory/life_line.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/cyclic/attach.hpp"
 #include "kernel/cyclic/clock_real.hpp"
@@ -21,6 +24,18 @@ namespace {
 using namespace polyturn;
 
 constexpr auto kPatience = std::chrono::seconds(30);
+std::atomic<bool> alone{false};   // the supervisor has died, or somebody has told this process to end: the machine stops in order, then it ends
+
+// Of nobody else's business any more: what the supervisor has started and cannot end. Ours end by themselves (life_line.hpp), unless somebody has
+// stopped them; drives of a machine builder's own do not.
+void end_the_others(const SupervisorSegment& supervisor) {
+    for (std::size_t slot = 0; slot < kProcesses; ++slot) {
+        const int pid = supervisor.processes[slot].pid;
+        if (pid <= 0 || slot == kProcessKernel) continue;
+        if (slot == kProcessDrives) kill(pid, SIGTERM);
+        kill(pid, SIGCONT);
+    }
+}
 
 int fail(const Diagnosis& diagnosis) {
     std::fprintf(stderr, "polyturn-kernel: %s\n", render(diagnosis, Dialect::Polyturn, {}).c_str());
@@ -70,19 +85,23 @@ int run(const std::string& instance) {
     if (const auto shapes = std::make_unique<kernel::ToolShapes>(); kernel::read_tool_shapes(**store, *shapes)) machine->take_tool_shapes(*shapes);
     machine->start();
     own->publish();
+    when_supervisor_dies([] { alone = true; });
+    struct sigaction told{};
+    told.sa_handler = [](int) { alone = true; };
+    sigaction(SIGTERM, &told, nullptr);
     kernel::Peers peers(instance, **supervisor);
-    peers.attach_all(*machine);
+    peers.attach_all(*machine, alone);
     if (kernel::SegmentDrives* drives = machine->segment_drives(); drives && !drives->attach(machine->core().config.tick_ns, kPatience)) machine->core().alarm(Alarm::DriveMissing, 0, "the process of the drives");
 
     if ((*supervisor)->options.virtual_time) {
-        kernel::VirtualClock clock(*machine, &peers);
+        kernel::VirtualClock clock(*machine, &peers, &alone);
         clock.run();
     } else {
         std::atomic<bool> stop{false};
         kernel::TableWatch tables(std::string((*supervisor)->options.machine_folder.data()) + ".compensation", **store, machine->core());
         std::thread table_watcher([&] { if ((*supervisor)->options.machine_folder[0]) tables.run(stop); });
         std::thread watcher([&] { peers.watch(*machine, stop); });  // before the priority is raised: it keeps the ordinary one
-        kernel::RealClock clock(*machine);
+        kernel::RealClock clock(*machine, alone);
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
             std::fprintf(stderr, "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n", refused.c_str());
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
@@ -92,6 +111,7 @@ int run(const std::string& instance) {
         watcher.join();
         table_watcher.join();
     }
+    if (alone) end_the_others(**supervisor);
     return 0;
 }
 }  // namespace

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "ipc/memory/life_line.hpp"
 #include "ipc/memory/segment.hpp"
 #include "toolmgmt/database.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
 
     if (!options.restore.empty()) return restore_offline(options);
 
+    end_with_kernel(options.instance);
     std::optional<Database> disk;
     if (!options.memory) {
         auto opened = Database::open(options.store);

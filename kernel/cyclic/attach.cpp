@@ -31,8 +31,8 @@ bool Peers::attach_channel(Machine& machine, unsigned index) {
     return channels_[index].has_value();
 }
 
-void Peers::attach_all(Machine& machine) {
-    for (;;) {
+void Peers::attach_all(Machine& machine, const std::atomic<bool>& alone) {
+    while (!alone) {
         bool missing = false;
         const auto wanted = [&](std::size_t process) {
             const ProcessState state = state_of(supervisor_.processes[process]);

@@ -14,8 +14,8 @@ namespace polyturn::kernel {
 class Peers {
 public:
     Peers(std::string instance, const SupervisorSegment& supervisor) : instance_(std::move(instance)), supervisor_(supervisor) {}
-    // Waits for everybody whom the supervisor has announced (or who has died since).
-    void attach_all(Machine& machine);
+    // Waits for everybody whom the supervisor has announced (or who has died since), as long as that lives.
+    void attach_all(Machine& machine, const std::atomic<bool>& alone);
     // Successors of those that have died, until told to stop; runs in a thread of its own (real time).
     void watch(Machine& machine, const std::atomic<bool>& stop);
     // Virtual time, between two ticks: successors of channels whose axes rest. The supervisor starts them while the clock waits for it.

@@ -15,6 +15,7 @@ constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;   /
 bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, double start, const PolyturnDriveApi& api) {
     config_ = config;
     set_most();
+    take_limits();
     api_ = &api;
     const ServoConfig& servo = config.servo;
     const ReferenceConfig& reference = config.reference;
@@ -54,6 +55,7 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
 void AxisUnit::configure(const AxisConfig& config) noexcept {
     config_ = config;
     set_most();
+    widen_limits();
     if (!drive_) return;
     // A full scale (N0505) that begins to limit acts from standstill: what is under way was planned without it.
     ServoConfig servo = config.servo;
@@ -224,12 +226,36 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
 }
 
 // The last door in front of the drive. Whatever went wrong before it (a path that does not begin where the axis stands, a fault in a
-// transformation): a command that is far beyond what the axis can do in a tick is not passed on. It stays, and the machine stops.
-// Planned motion keeps the axis' own limits, of a coupled axis those of its drive; the fourfold leaves room for what is added.
+// transformation): a command that is far beyond what the axis can do in a tick is not passed on. The axis brakes by itself, and the
+// machine stops. Planned motion keeps the axis' own limits (can_reach), of a coupled axis those of its drive; the fourfold leaves room for
+// what is added.
 void AxisUnit::watch_command() noexcept {
-    if (std::fabs(target_ - command_) <= most_in_a_tick_) return;
+    const bool brakes = fault_ == Fault::CommandJump;   // and stands then, until the fault is cleared
+    if (!brakes && std::fabs(target_ - command_) <= most_in_a_tick_) return;
     if (!faulted()) fault_ = Fault::CommandJump, fault_value_ = target_ - command_;
-    target_ = command_, own_target_ = own_command_;
+    const double step = config_.estop_deceleration * config_.tick_s;
+    const double v = velocity_ > step ? velocity_ - step : velocity_ < -step ? velocity_ + step : 0.0;
+    target_ = command_ + v * config_.tick_s;
+    own_target_ = target_ - added_ - overlay_;
+}
+
+bool AxisUnit::can_reach(double own_target, bool emergency) const noexcept {
+    constexpr double kMore = 1.02;       // rounding of geometry, and of speeds that are computed from it
+    constexpr double kMeet = 2e-6;       // mm, degrees: by which two records may meet apart
+    const double dt = config_.tick_s, v = (own_target - own_command_) / dt, a = (v - own_velocity_) / dt;
+    const double most = hardest_ + (emergency ? config_.estop_deceleration : 0.0);
+    return std::fabs(v) <= kMore * fastest_ + kMeet / dt && std::fabs(a) <= kMore * most + kMeet / (dt * dt);
+}
+
+void AxisUnit::take_limits() noexcept {
+    fastest_ = hardest_ = 0;
+    widen_limits();
+}
+
+void AxisUnit::widen_limits() noexcept {
+    const double fastest = std::max({config_.rapid, config_.max_feed, config_.manual_rapid, config_.jog_max_feed});
+    fastest_ = fastest > 0 ? std::max(fastest_, fastest) : std::numeric_limits<double>::infinity();
+    hardest_ = config_.acceleration > 0 ? std::max(hardest_, config_.acceleration) : std::numeric_limits<double>::infinity();
 }
 
 void AxisUnit::set_most() noexcept {

@@ -97,6 +97,10 @@ public:
     void pull(double speed) noexcept { pull_ = speed; }
     double torque() const noexcept { return status_.torque; }   // thousandths of the rated one
     bool torque_limited() const noexcept { return status_.limited != 0; }
+    // Could it go there in this tick within its velocity and acceleration (its own command, without what a master adds)? An emergency
+    // brakes harder. After a change of parameters the wider limits hold until take_limits(): what was planned before is still to be driven.
+    bool can_reach(double own_target, bool emergency) const noexcept;
+    void take_limits() noexcept;
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
     // The machine coordinate of where it is becomes greater by this much.
@@ -120,6 +124,7 @@ private:
     void supervise(double tick_s) noexcept;
     void watch_command() noexcept;
     void set_most() noexcept;
+    void widen_limits() noexcept;
     void read_encoder() noexcept;
     [[nodiscard]] std::int64_t pulses(double machine) const noexcept;
     [[nodiscard]] double units(std::int64_t pulses) const noexcept;
@@ -134,6 +139,7 @@ private:
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
     double compensation_ = 0, compensation_speed_ = 0, pull_ = 0;
     double most_in_a_tick_ = 0;                            // way of a command that no planning makes longer
+    double fastest_ = 0, hardest_ = 0;                     // mm/s, mm/s2; see can_reach(); infinity: no such limit
     double kept_ = 0, way_back_ = 0, fault_value_ = 0;
     void* direct_drive_ = nullptr;
     double direct_units_ = 0;                              // of a pulse of the direct device

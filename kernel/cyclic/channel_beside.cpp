@@ -172,7 +172,7 @@ bool ChannelRunner::holds_beside() const noexcept {
 }
 
 // Axes rest at their targets; spindles are in position, or have the speed or the standstill that they were told.
-bool ChannelRunner::await(const PathRecord& r) const noexcept {
+bool ChannelRunner::await(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (r.axis[i] < kMaxAxes) {
             if (runs_beside(r.axis[i])) return false;
@@ -185,6 +185,7 @@ bool ChannelRunner::await(const PathRecord& r) const noexcept {
         if (core_.tick < phase_since_ + 2) return false;
         const SpindleUnit& spindle = core_.spindles[s];
         const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s + 1));
+        if (refuses_detached(s + 1)) return false;
         if (spindle.loop() == SpindleUnit::Loop::Approach || spindle.loop() == SpindleUnit::Loop::Searching) return false;
         if (spindle.closed() ? !spindle.in_position() : rotation == 3 || rotation == 4 ? !spindle.at_speed(rotation) : !spindle.standing()) return false;
     }

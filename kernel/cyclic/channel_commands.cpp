@@ -1,6 +1,7 @@
 // What operator, machine and supervision ask of a channel; acts at a tick's start.
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
+#include "kernel/cyclic/couplings.hpp"
 
 #include <utility>
 
@@ -125,6 +126,9 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     know_positions();
     ++run_;
     cut_off_ = false;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        // Its program reads the parameters as they are now; of what a superimposed axis may do half is kept for its master's way.
+        if (core_.config.axes[a].channel == number_ && !core_.couplings->superimposed_master(a)) core_.axes[a].take_limits();
     state_ = ChannelState::Running;
     stop_reason_ = StopReason::None;
     hold_ = hold_later_ = change_due_ = group_ended_ = false;
@@ -218,8 +222,7 @@ void ChannelRunner::finish_reset() noexcept {
     const std::uint64_t not_begun = first_not_begun();
     ++epoch_;
     ++resets_;
-    cursor_ = segment_->path.head.load(std::memory_order_acquire);
-    plan_anew(cursor_);
+    begin_behind_all();
     step_ = {};
     step_.record = cursor_;
     flying_ = let_pass_ = early_ = kNoRecord;
@@ -305,7 +308,7 @@ void ChannelRunner::quit() noexcept {
     if (segment_ && !dead_) tell(ChannelEventKind::Quit, cursor_);
 }
 
-void ChannelRunner::process_died(Alarm reason) noexcept {
+void ChannelRunner::process_died(Alarm reason, std::string_view detail) noexcept {
     if (!segment_ || dead_) return;
     // limit_ is what was visible at this tick: records beyond the horizon do not exist.
     dead_ = true;
@@ -318,7 +321,7 @@ void ChannelRunner::process_died(Alarm reason) noexcept {
     cut_off_ = cut_off_ || ran || state_ == ChannelState::Interrupted;
     state_ = ChannelState::Dead;
     stop_reason_ = StopReason::Death;
-    core_.alarm(reason, number_, name_of('L', index_).view(), 0, line_);
+    core_.alarm(reason, number_, detail.empty() ? name_of('L', index_).view() : detail, 0, line_);
     if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(StopReason::Death), cycle_s_, line_);
 }
 

@@ -6,7 +6,7 @@
 namespace polyturn::kernel {
 
 ChannelRunner::Place ChannelRunner::place_now() const noexcept {
-    if (cursor_ >= segment_->path.head.load(std::memory_order_acquire) || record(cursor_).epoch != epoch_) return {};
+    if (cursor_ >= inbox_.head(cursor_) || record(cursor_).epoch != epoch_) return {};
     const PathRecord& r = record(cursor_);
     if (stands_at_late_stop()) return {r.serial + 1, 1, false};
     const bool within = begun_ || (!step_.over && step_.s > 0 && step_.record == cursor_);
@@ -96,8 +96,7 @@ void ChannelRunner::discard() noexcept {
     if (cursor_ < visible_end_ && is_motion(record(cursor_)) && !step_.over && step_.s > 0 && step_.record == cursor_)
         trail_.add(record(cursor_), step_.s, 0);
     ++epoch_;
-    cursor_ = segment_->path.head.load(std::memory_order_acquire);
-    plan_anew(cursor_);
+    begin_behind_all();
     step_ = {};
     step_.record = cursor_;
     flying_ = let_pass_ = early_ = kNoRecord;

@@ -60,7 +60,7 @@ void ChannelRunner::announce_interrupt() noexcept {
     std::uint64_t behind = cursor_;
     while (behind < visible_end_ && record(behind).serial == running) ++behind;
     if (behind == visible_end_ || record(behind).epoch != epoch_) return;
-    ahead_ = segment_->path.head.load(std::memory_order_acquire);
+    ahead_ = inbox_.head(cursor_);
     tell(ChannelEventKind::Interrupt, kInterruptAhead, static_cast<double>(record(behind).serial));
     ahead_asked_ = events_sent_ + outbox_count_;
 }
@@ -70,10 +70,12 @@ bool ChannelRunner::obey_ahead() noexcept {
     if (ahead_ == kNoRecord) return true;
     if (ahead_asked_ && segment_->answered.load(std::memory_order_acquire) < ahead_asked_) return dead_;
     ahead_asked_ = 0;
-    const std::uint64_t head = std::min(segment_->path.head.load(std::memory_order_acquire), cursor_ + kPathRing);
+    const std::uint64_t head = inbox_.head(cursor_);
+    if (ahead_ < head) inbox_.look(cursor_), inbox_.take(cursor_, head, epoch_, core_, index_);
     constexpr int kMostInATick = 32;
     for (int k = 0; ahead_ < head; ++ahead_, ++k) {
         if (k == kMostInATick) return false;
+        if (ahead_ >= inbox_.taken()) return inbox_.refusal().field || inbox_.epoch_of(ahead_) != epoch_;   // not judged yet, or never
         const PathRecord& r = record(ahead_);
         if (!(r.flags & kAtOnce) || r.epoch != epoch_) continue;
         if (writes_store(r) && !core_.store.has_room()) return false;

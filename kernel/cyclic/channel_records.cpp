@@ -205,6 +205,7 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
     if (static_cast<FeedMode>(r.feed_mode) == FeedMode::Revolutions) {
         const bool known = r.spindle >= 1 && r.spindle <= kMaxSpindles;
         rate = known ? std::fabs(core_.spindle_rev_s[r.spindle - 1]) : 0.0;
+        if (known && refuses_detached(r.spindle)) return false;
         // The PLC may still be writing SP_ROT, as with a feed per revolution.
         const bool answered = core_.tick > dwell_since_ + 3 * core_.config.plc_cycle_ticks;
         if (!known || (answered && core_.spindles[r.spindle - 1].command() == 0.0 && rate < kStandingRevS)) {
@@ -435,6 +436,7 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
         phase_ = Phase::Spindle;
         return false;
     }
+    if (refuses_detached(number)) return false;
     if (core_.spindles[number - 1].loop() == SpindleUnit::Loop::Turning) raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
     return core_.spindles[number - 1].in_position();
 }
@@ -476,6 +478,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
     const bool on = static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Couple;
     if (phase_ == Phase::Spindle) {
         if (!on) return !couplings.follows(follower);
+        if (refuses_detached(r.spindle) || (follower >= kMaxAxes && refuses_detached(follower - static_cast<std::uint32_t>(kMaxAxes) + 1))) return false;
         if (!couplings.follows(follower)) raise(Alarm::SpindleCoupleRefused, SpindleCouplings::name_of_follower(follower).view());
         return couplings.synchronous(follower);
     }

@@ -20,6 +20,7 @@ void ChannelRunner::prepare() {
     planner_ = std::make_unique<PathPlanner>();
     thread_ = std::make_unique<ThreadFollower>();
     trail_.prepare(core_.config.history);
+    inbox_.prepare();
 }
 
 void ChannelRunner::attach(const ChannelSegment& segment) {
@@ -33,6 +34,8 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     ahead_ = kNoRecord;
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
+    inbox_.attach(segment);
+    off_path_ = placed_ = {};
     core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
     plan_anew(0);
     // A successor has seen none of the events of its predecessor and must not: it starts with the next one.
@@ -101,12 +104,13 @@ void ChannelRunner::plan_anew(std::uint64_t from) noexcept {
 }
 
 // After a reset the ring still holds what the channel pushed before it heard of it. Nothing of that is executed.
-void ChannelRunner::drop_old_epochs() noexcept {
+void ChannelRunner::drop_old_epochs(std::uint64_t most) noexcept {
+    inbox_.look(cursor_);
     if (!planner_ || planner_->next_record() != cursor_ || !planner_->at_rest()) return;
-    const auto head = segment_->path.head.load(std::memory_order_acquire);
-    const auto from = cursor_;
-    while (cursor_ < head && record(cursor_).epoch != epoch_) ++cursor_;
+    const auto head = inbox_.head(cursor_), from = cursor_;
+    while (cursor_ < head && cursor_ - from < most && inbox_.epoch_of(cursor_) != epoch_) ++cursor_;
     if (cursor_ == from) return;
+    inbox_.begin_at(cursor_);
     plan_anew(cursor_);
     core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
 }
@@ -116,8 +120,8 @@ bool ChannelRunner::supplied() noexcept {
     // Quiet first: what it pushed before it became quiet is then visible in the head that supply() reads (P1).
     if (const std::uint64_t asked = std::max(question_, ahead_asked_); asked && segment_->answered.load(std::memory_order_acquire) < asked) return false;
     const bool quiet = segment_->quiet.load(std::memory_order_acquire) >= events_sent_;
-    drop_old_epochs();
-    return quiet || segment_->path.head.load(std::memory_order_acquire) - cursor_ >= core_.config.horizon;
+    drop_old_epochs(kPathRing);   // between two ticks: all of them
+    return quiet || inbox_.refusal().field || inbox_.head(cursor_) - cursor_ >= core_.config.horizon;
 }
 
 // Marks of the PLC that are keys of the operator (Fagor: BLKSKIP1 to BLKSKIP3, M01STOP, M5008).
@@ -144,7 +148,7 @@ void ChannelRunner::take_keys() noexcept {
 bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
     const PathRecord& r = record(index);
     if (!(r.flags & kBlockEnd) || (!is_motion(r) && (r.flags & kMoreBehind)) || static_cast<RecordKind>(r.kind) == RecordKind::Flag) return false;
-    if (index + 1 >= limit_) return true;
+    if (index + 1 >= visible_end_) return true;
     const PathRecord& next = record(index + 1);
     return next.serial != r.serial || next.serial == 0 || next.epoch != r.epoch || (is_motion(r) && is_motion(next));
 }
@@ -152,10 +156,9 @@ bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
 void ChannelRunner::supply() noexcept {
     take_keys();   // the rapid key is for jogging too, which needs no process
     if (!segment_) return;
-    drop_old_epochs();
-    const auto head = segment_->path.head.load(std::memory_order_acquire);
-    if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);
-    visible_end_ = core_.config.channels[index_].looks_one_block_ahead ? end_of_few_blocks(limit_) : limit_;
+    drop_old_epochs(RecordInbox::kSkipsPerTick);
+    if (!dead_ && !stopped_) limit_ = std::min(inbox_.head(cursor_), cursor_ + core_.config.horizon);
+    take_records();
     judge_stroke_anew();
     while (planner_->wants_record() && planner_->next_record() < visible_end_) {
         const PathRecord& r = record(planner_->next_record());
@@ -217,6 +220,8 @@ void ChannelRunner::run() noexcept {
     moving_ = false;
     if (!segment_) return;
     double left = 1.0;  // part of the tick that is still to be used
+    if (off_path_.any()) return brake_off_path();
+    placed_before_ = std::exchange(placed_, {});
     watch_interrupt();
     const bool back = trail_.active() || (wheel_ && wheel_drives_trail());
     if (back) {
@@ -233,6 +238,7 @@ void ChannelRunner::run() noexcept {
             execute_standing(left);
         }
     }
+    watch_commands();
     settle();
     watch_production();
     if (program_runs()) cycle_s_ += core_.config.tick_s;
@@ -371,10 +377,7 @@ void ChannelRunner::report_progress() noexcept {
 void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
     if ((r.flags & kTapping) && !place_spindle(r, s)) return;
     SlotVector position;
-    if (!drives_at(r, kinematics_of(r), s, position)) {
-        if (!interrupted_) raise(Alarm::RecordInvalid, "transformation");
-        return;
-    }
+    if (!drives_at(r, kinematics_of(r), s, position)) return leave_off_path(kMaxAxes);
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (core_.config.axes[r.axis[i]].on_spindle && position[i] != core_.axes[r.axis[i]].command() && !core_.shared_axes[r.axis[i]].has_drive) {
             raise(Alarm::AxisIsSpindle, name_of('A', r.axis[i]).view());
@@ -382,6 +385,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         }
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
+        placed_.add(r.axis[i]);
         axis.rapid = (r.flags & kRapid) != 0;
         if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached && r.axis[i] != cut_axis_) {
             if (!axis.referenced && !interrupted_ && core_.must_be_referenced(r.axis[i]) && std::fabs(position[i] - axis.command()) > kMoves) {   // lost on the way
@@ -540,7 +544,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
 }
 
 bool ChannelRunner::polls() const noexcept {
-    return (control_ & kControlPolls) && segment_ && state_ == ChannelState::Running && phase_ == Phase::None && cursor_ + 1 == segment_->path.head.load(std::memory_order_acquire) &&
+    return (control_ & kControlPolls) && segment_ && state_ == ChannelState::Running && phase_ == Phase::None && cursor_ + 1 == inbox_.head(cursor_) &&
            static_cast<RecordKind>(record(cursor_).kind) == RecordKind::Barrier;
 }
 
@@ -559,7 +563,7 @@ bool ChannelRunner::can_go_on() const noexcept {
     if (step_.stands == Stands::NoFeed) return feed_override > 0;  // a spindle may come up to speed
     if (polls()) return false;
     // The ring itself, not what the last tick saw of it: a wait that has just opened is followed by records pushed since.
-    return cursor_ < segment_->path.head.load(std::memory_order_acquire) || step_.stands == Stands::Moving;
+    return cursor_ < inbox_.head(cursor_) || step_.stands == Stands::Moving;
 }
 
 std::string_view ChannelRunner::program() noexcept {

@@ -21,6 +21,8 @@
 #include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/beside_program.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/moved_axes.hpp"
+#include "kernel/cyclic/record_inbox.hpp"
 #include "kernel/cyclic/restart_fate.hpp"
 #include "kernel/cyclic/start_conditions.hpp"
 #include "kernel/motion/path_planner.hpp"
@@ -96,7 +98,10 @@ public:
     void on_path_again() noexcept { jog_in_hold_ = false; }
     void quit() noexcept;
     void store_changed() noexcept { store_changed_ = change_due_ = true; }
-    void process_died(Alarm reason) noexcept;
+    void process_died(Alarm reason, std::string_view detail = {}) noexcept;
+    // channel_refusal.cpp: its process has sent what cannot be. It is believed no more.
+    bool sends_what_cannot_be() const noexcept { return segment_ && !dead_ && inbox_.refusal().field; }
+    void turn_away() noexcept;
     void process_stopped(bool stopped) noexcept;
     // The machine stops for a reason that is not the channel's: along the path, until reset.
     void interrupt() noexcept;
@@ -170,7 +175,7 @@ public:
     bool stands() const noexcept {
         if (!segment_ || !program_runs()) return true;
         if (trail_.active()) return false;
-        return cursor_ >= segment_->path.head.load(std::memory_order_acquire) || (record(cursor_).flags & kDrains) != 0;
+        return cursor_ >= inbox_.head(cursor_) || (record(cursor_).flags & kDrains) != 0;
     }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
     std::int32_t m_code() const noexcept { return m_code_; }   // given to the PLC last; -1 none
@@ -193,17 +198,17 @@ private:
     enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread, Spindle, Home, Released };
     static constexpr std::uint64_t kNoRecord = ~0ull;
 
-    const PathRecord& record(std::uint64_t index) const noexcept { return segment_->path.slot(index); }
+    const PathRecord& record(std::uint64_t index) const noexcept { return inbox_.record(index); }
     // The transformation that leads from the record's coordinates to its axes; none: they are its axes.
     const Kinematics* kinematics_of(const PathRecord& r) const noexcept {
-        return r.transform >= 1 && r.transform <= kKinematics ? &segment_->kinematics[r.transform - 1u] : nullptr;
+        return inbox_.kinematics(r.transform);
     }
     static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
     static bool stops_path(const PathRecord& r) noexcept;
     bool block_ends_at(std::uint64_t index) const noexcept;
     static bool writes_store(const PathRecord& r) noexcept;
     void plan_anew(std::uint64_t from) noexcept;
-    void drop_old_epochs() noexcept;
+    void drop_old_epochs(std::uint64_t most) noexcept;
     void judge_stroke_anew() noexcept;
     bool ends_at_limit(const PathRecord& r) noexcept;
     void stand_at_limit() noexcept;
@@ -228,7 +233,7 @@ private:
     void withdrawn(const ThreadStep& step) noexcept;
     bool thread_may_start(const PathRecord& r) noexcept;
     void report_thread(const ThreadStep& step) noexcept;
-    bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_ && trail_.at_rest(); }
+    bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_ && trail_.at_rest() && !off_path_.any(); }
     void describe_wait(ShortText& text) noexcept;
     void write_code(ShortText& text) const noexcept;
     bool needed_elsewhere(std::uint32_t follower) const noexcept;
@@ -287,6 +292,7 @@ private:
     void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
     bool place_spindle(const PathRecord& r, double s) noexcept;
     std::uint32_t awaited_spindle() const noexcept;
+    bool refuses_detached(std::uint32_t spindle) noexcept;
     bool waits_for_drive() noexcept;
     bool drive_is_coming() const noexcept;
     void know_positions() noexcept;
@@ -295,6 +301,12 @@ private:
     double dry_run_feed() const noexcept;
     double emergency_deceleration() const noexcept;
     void place_axes(const PathRecord& r, double s) noexcept;
+    void watch_commands() noexcept;
+    void leave_off_path(std::size_t axis) noexcept;
+    void brake_off_path() noexcept;
+    bool brake_axes() noexcept;
+    void take_records() noexcept;
+    void begin_behind_all() noexcept;
     void report(KernelEventKind kind, const PathRecord& r, double offset_s) noexcept;
     void finish_reset() noexcept;
     void stand(ChannelState state, StopReason reason) noexcept;
@@ -313,7 +325,7 @@ private:
     void report_step(KernelEventKind kind, const BesideTask& task, std::int32_t code = static_cast<std::int32_t>(RecordKind::Beside)) noexcept;
     BesideProgram beside_program_;
     std::uint32_t cut_axis_ = kMaxAxes;    // the PLC has ended its program, and the channel does not know yet where it stands; kMaxAxes none
-    bool await(const PathRecord& r) const noexcept;
+    bool await(const PathRecord& r) noexcept;
     bool limit_torque(const PathRecord& r) noexcept;
     bool find_reference(const PathRecord& r) noexcept;
     void release_stops() noexcept;
@@ -333,6 +345,9 @@ private:
     unsigned index_;                       // from 0
     std::uint32_t number_;                 // from 1
     const ChannelSegment* segment_ = nullptr;
+    RecordInbox inbox_;                    // nothing else reads records of the segment
+    MovedAxes placed_, placed_before_;     // by the path in this tick, and in the one before
+    MovedAxes off_path_;                   // brake by themselves: a record led one of them beyond its limits
     std::unique_ptr<PathPlanner> planner_;
     std::unique_ptr<ThreadFollower> thread_;
     std::uint64_t thread_end_ = 0;         // its last record

@@ -33,6 +33,16 @@ std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
     return spindle.at_speed(core_.signals.plc(signals::sp_rot(number))) ? 0 : number;
 }
 
+// The PLC has detached a spindle that a program waits for, or cuts with: it will never turn. Not while the PLC may still be at the code
+// that attaches it again.
+bool ChannelRunner::refuses_detached(std::uint32_t spindle) noexcept {
+    if (!core_.signals.plc(signals::sp_sdetchr(spindle))) return false;
+    const double waited_s = static_cast<double>(core_.tick - std::max(phase_ == Phase::None ? stands_since_ : phase_since_, std::int64_t{0})) * core_.config.tick_s;
+    if (waited_s < 3.0 * static_cast<double>(core_.config.plc_cycle_ticks) * core_.config.tick_s) return false;
+    if (!interrupted_) raise(Alarm::SpindleDetached, name_of('S', spindle - 1).view());
+    return true;
+}
+
 // A C axis whose drive is a spindle now: it is waited for when that stops, and refused when it turns, or when the spindle
 // has turned the axis since the program last looked where it is.
 bool ChannelRunner::waits_for_drive() noexcept {
@@ -73,6 +83,7 @@ void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
         return;
     }
     if (const std::uint32_t number = awaited_spindle()) {
+        if (refuses_detached(number)) return;
         const SpindleUnit& waited = core_.spindles[number - 1];
         if (waited.ramping()) stands_since_ = core_.tick;
         if (waited.command() != 0.0 && stood_s > kSpindleTimeoutS) return raise(Alarm::SpindleTooSlow, name_of('S', number - 1).view(), waited.shown_speed());
@@ -81,6 +92,7 @@ void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
     const PathRecord& r = *running;
     const bool per_revolution = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
     if (!per_revolution || r.spindle == 0 || r.spindle > kMaxSpindles) return;
+    if (refuses_detached(r.spindle)) return;
     const SpindleUnit& spindle = core_.spindles[r.spindle - 1];
     // The PLC may still be writing SP_ROT: some of its cycles of grace before this is an alarm rather than a hang.
     const double grace_s = 3.0 * static_cast<double>(core_.config.plc_cycle_ticks) * core_.config.tick_s;

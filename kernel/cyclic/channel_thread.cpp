@@ -35,6 +35,7 @@ bool ChannelRunner::thread_may_start(const PathRecord& r) noexcept {
         raise(Alarm::SpindleUnknown, name_of('S', r.spindle ? r.spindle - 1u : 0u).view());
         return false;
     }
+    if (refuses_detached(r.spindle)) return false;
     SpindleUnit& spindle = core_.spindles[r.spindle - 1];
     if (spindle.command() == 0.0) {
         const double stood_s = static_cast<double>(core_.tick - phase_since_) * core_.config.tick_s;

@@ -37,6 +37,7 @@ std::string RealClock::claim_real_time() {
 }
 
 void RealClock::supervise() {
+    if (alone_.load(std::memory_order_relaxed)) return machine_.left_alone();
     Core& core = machine_.core();
     const auto beat = core.supervisor.heartbeat.load(std::memory_order_acquire);
     if (beat != beat_) {

@@ -4,10 +4,11 @@ namespace polyturn::kernel {
 namespace {
 constexpr int kSpins = 200;
 constexpr std::int64_t kLookAgainUs = 5'000;     // bounds the harm of a participant that forgets to ring
+constexpr int kLooksAlone = 400;                 // two seconds
 constexpr std::uint64_t kLogChunk = 256;         // without follow_log the supervisor is woken for so many events
 }  // namespace
 
-VirtualClock::VirtualClock(Machine& machine, Peers* peers) : machine_(machine), peers_(peers) {
+VirtualClock::VirtualClock(Machine& machine, Peers* peers, const std::atomic<bool>* alone) : machine_(machine), alone_(alone), peers_(peers) {
     machine_.on_action = [](void* self) { static_cast<VirtualClock*>(self)->supervisor(); };
     machine_.on_action_context = this;
 }
@@ -21,9 +22,10 @@ void VirtualClock::await(const Doorbell& bell, std::size_t process, Doorbell& th
     if (ready()) return;
     ++count;
     theirs.ring();  // it may sleep for want of room
-    for (;;) {
+    for (int without_supervisor = 0;;) {
         const std::uint32_t seen = bell.seen();
         if (ready() || gone(process)) return;
+        if (alone() && ++without_supervisor > kLooksAlone) return;   // nobody says any more who has died
         bell.wait(seen, kLookAgainUs, kSpins);
     }
 }
@@ -33,6 +35,7 @@ void VirtualClock::supervisor() {
     Core& core = machine_.core();
     const bool follow = core.supervisor.options.follow_log != 0;
     const auto ready = [&] {
+        if (alone()) return true;   // nobody reads log and trace any more
         machine_.commands().drain(core.tick);
         return machine_.commands().end_requested() || (core.log.has_room() && machine_.trace_has_room() && (!follow || core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest()));
     };
@@ -67,7 +70,8 @@ void VirtualClock::participants() {
 bool VirtualClock::step() {
     Core& core = machine_.core();
     participants();
-    if (machine_.idle()) {
+    if (alone()) machine_.left_alone();
+    else if (machine_.idle()) {
         if (!idle_said_) {
             core.event(KernelEventKind::Idle, 0);
             idle_said_ = true;
@@ -89,6 +93,7 @@ void VirtualClock::run() {
         if (step()) continue;
         // Virtual time stands. What wakes it is a command; all of a batch are there when the supervisor has seen «idle».
         await(core.supervisor.bell, kProcesses, core.image.supervisor_bell, none, [&] {
+            if (alone()) return true;
             machine_.commands().drain(core.tick);
             return machine_.commands().end_requested() ||
                    (core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest() && !machine_.commands().empty());

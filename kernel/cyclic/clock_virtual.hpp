@@ -5,6 +5,7 @@
 // answer that acts now, and what the supervisor has to say to the newest event. It waits for the participants in turn, on
 // the bell in each one's own segment: usually all is there already and a tick costs no system call.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,7 +17,8 @@ namespace polyturn::kernel {
 
 class VirtualClock {
 public:
-    explicit VirtualClock(Machine& machine, Peers* peers = nullptr);
+    // `alone`: the supervisor has died; nullptr: it lives as long as the machine.
+    explicit VirtualClock(Machine& machine, Peers* peers = nullptr, const std::atomic<bool>* alone = nullptr);
     // Runs until the end of the run. Attached before: everybody who takes part.
     void run();
     // One tick when all is there; false when the machine is idle and no command is there (tests drive it by hand).
@@ -35,7 +37,10 @@ private:
     template <class Ready>
     void await(const Doorbell& bell, std::size_t process, Doorbell& theirs, std::uint64_t& count, Ready ready);
 
+    bool alone() const { return alone_ && alone_->load(std::memory_order_acquire); }
+
     Machine& machine_;
+    const std::atomic<bool>* alone_;
     Peers* peers_;   // who looks for successors; nullptr: nobody
     Waits waits_;
     std::uint64_t rung_ = 0;   // newest event that the supervisor was woken for

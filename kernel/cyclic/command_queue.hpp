@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "ipc/image/segments.hpp"
 
@@ -17,7 +18,9 @@ public:
         while (count_ < kRoom) {
             const Command* command = ring_.front();
             if (!command) return;
-            insert(*command, command->tick > now ? command->tick : now);
+            std::memcpy(static_cast<void*>(&came_), command, sizeof came_);   // looked at once: it is the supervisor's memory
+            __asm__ volatile("" : : "r"(&came_) : "memory");
+            insert(came_, came_.tick > now ? came_.tick : now);
             ring_.pop();
         }
     }
@@ -52,6 +55,7 @@ private:
     }
 
     RingConsumer<RingHead<Command, 1024>> ring_;
+    Command came_{};
     std::array<Command, kRoom> store_{};
     std::array<std::uint16_t, kRoom> order_{};
     std::size_t count_ = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ipc/machine/command_levels.hpp"
+#include "kernel/cyclic/command_check.hpp"
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
@@ -37,9 +38,16 @@ void Machine::start_channels(const Command& command) noexcept {
 }
 
 void Machine::take_commands() noexcept {
+    if (is_left_alone()) return;
     commands_.drain(core_.tick);
     while (const Command* command = commands_.next_due(core_.tick)) {
         const Command due = *command;  // an action may bring further commands into the queue
+        if (const char* const field = fault_of(due)) {
+            ShortText text("a command of the supervisor: ");
+            text << field;
+            core_.alarm(Alarm::RequestBad, 0, text.view());
+            continue;
+        }
         // The supervisor has asked already; a kernel that trusts nobody asks again. Level 0: the machine's own.
         if (due.level != 0 && due.level - 1 < static_cast<std::uint32_t>(level_of(due))) {
             core_.alarm(Alarm::LevelTooLow, due.channel, level_words(due));

@@ -24,6 +24,7 @@ namespace polyturn::kernel {
 enum class MachineState : std::uint32_t { EmergencyStop = 0, Off = 1, On = 2 };
 
 class SpindleCouplings;
+class Couplings;
 class Guard;
 
 struct Core {
@@ -110,6 +111,7 @@ struct Core {
     };
     std::array<ProgramCall, kMaxChannels> program_calls{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
+    const Couplings* couplings = nullptr;            // likewise
     const Guard* guard = nullptr;                    // likewise
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution

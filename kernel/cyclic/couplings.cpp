@@ -238,13 +238,24 @@ void Couplings::exchange(Core& core, std::size_t a) noexcept {
     core.signals.set_nc(signals::an_mixa(a + 1), link.route != 0);
 }
 
-// N0522 pulls a gantry slave onto its master; N2103 is what may be between them.
+// N2103 is what may be between the slides of a gantry, whoever moves them: also while a loop is open and its slide stays behind
+// (nct_parameters_part2 22.3). Before both have their reference points their numbers have nothing to do with each other: then what counts is
+// how much their distance has changed since the machine was switched on.
+void Couplings::watch_gantry(const Core& core, Link& link, std::size_t a) noexcept {
+    const AxisUnit &axis = core.axes[a], &master = core.axes[link.sync.master - 1];
+    const double apart = link.sync.sign * master.measured() - axis.measured();
+    const bool known = axis.referenced && master.referenced;
+    if (!core.on()) link.apart_known = false;
+    if (!core.on() || !(link.gantry_limit > 0) || !axis.exists() || !master.exists()) return;
+    if (!link.apart_known) link.apart_known = true, link.apart = apart;
+    if (std::fabs(known ? apart : apart - link.apart) > link.gantry_limit) torn_ = static_cast<std::uint32_t>(a) + 1;
+}
+
+// N0522 pulls a gantry slave onto its master.
 double Couplings::gantry_pull(Core& core, Link& link, std::size_t a) noexcept {
     const AxisUnit& axis = core.axes[a];
     const AxisUnit& master = core.axes[link.sync.master - 1];
     if (!axis.referenced || !master.referenced) return 0;   // their numbers have nothing to do with each other yet
-    const double measured = link.sync.sign * master.measured() - axis.measured();
-    if (link.gantry_limit > 0 && std::fabs(measured) > link.gantry_limit && core.on()) torn_ = static_cast<std::uint32_t>(a) + 1;
     const AxisConfig& limits = core.config.axes[a];
     const double most = kGantryPullOfRapid * limits.rapid, dt = core.config.tick_s;
     const double left = link.sync.sign * master.target() - (link.sync.own_ref + link.sync.sign * (master.target() - link.sync.master_ref));
@@ -272,6 +283,7 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
     if (!axis.exists() || (!link.sync.on && !link.add.on)) return;
     Follow& by = link.sync.on ? link.sync : link.add;
     const double master = core.axes[by.master - 1].target();
+    if (link.gantry) watch_gantry(core, link, a);
     // A loop that was open has let go of its slide: it is closed where the slide is, and counts from there.
     const bool closed = axis.closed() && core.axes[by.master - 1].closed();
     const bool loops_open = core.state == MachineState::Off || core.tick - powered_since_ < kFollowUpTicks || !closed || !link.was_closed;
@@ -297,6 +309,10 @@ void Couplings::shifted(std::size_t axis, double by) noexcept {
             if (follow->master == axis + 1) follow->master_ref += by;
             if (a == axis) follow->own_ref += by;
         }
+    for (std::size_t a = 0; a < kMaxAxes; ++a) {
+        if (a == axis) links_[a].apart -= by;
+        if (links_[a].sync.master == axis + 1) links_[a].apart += links_[a].sync.sign * by;
+    }
 }
 
 void Couplings::step(Core& core) noexcept {

@@ -72,6 +72,8 @@ private:
         Follow sync, add;
         bool gantry = false;
         double pull_gain = 0, gantry_limit = 0, pull_v = 0;
+        bool apart_known = false;          // of a gantry without reference points: how far its slides were apart when the machine was switched on
+        double apart = 0;
         std::uint32_t exchange_with = 0;   // N2104
         std::uint32_t route = 0;
         std::int64_t sync_since = -1, add_since = -1, mix_since = -1;   // request that waits for standstill
@@ -96,6 +98,7 @@ private:
     void switch_requests(Core& core, std::size_t a) noexcept;
     void exchange(Core& core, std::size_t a) noexcept;
     void follow(Core& core, std::size_t a) noexcept;
+    void watch_gantry(const Core& core, Link& link, std::size_t a) noexcept;
     double gantry_pull(Core& core, Link& link, std::size_t a) noexcept;
     void pull_after_master(Core& core, const Link& link, std::size_t a) noexcept;
 

@@ -31,6 +31,7 @@ void Machine::start() {
     core_.virtual_time = options.virtual_time != 0;
     core_.spindle_couplings = &spindle_couplings_;
     core_.guard = &guard_;
+    core_.couplings = &couplings_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
     slides_.configure(core_.table, core_.config);
@@ -202,6 +203,11 @@ void Machine::supervise() noexcept {
             channels_[l]->process_died(Alarm::ChannelSilent);
             partner_death(l);
         }
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (channels_[l]->sends_what_cannot_be()) {
+            channels_[l]->turn_away();
+            partner_death(l);
+        }
     const std::int32_t message = core_.signals.plc(signals::plc_alarm());
     if (message != builder_message_) {
         builder_message_ = message;
@@ -306,7 +312,30 @@ void Machine::stop_all(Alarm reason, double value) noexcept {
     for (auto& runner : channels_) runner->interrupt();
 }
 
+void Machine::left_alone() noexcept {
+    if (!is_left_alone()) {
+        alone_since_ = core_.tick;
+        stop_all(Alarm::SupervisorSilent);
+        release_waits_ = on_waits_ = false;
+        switch_on_at_ = -1;
+        return;
+    }
+    const double alone_s = static_cast<double>(core_.tick - alone_since_) * core_.config.tick_s;
+    if (core_.tick > alone_since_ + 1 && (all_stands() || alone_s > kLeftAloneMostS)) core_.end_run = true;
+}
+
+bool Machine::all_stands() noexcept {
+    for (const auto& channel : channels_)
+        if (!channel->rests()) return false;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.axes[a].exists() && core_.axes[a].moving()) return false;
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
+        if (core_.spindles[s].exists() && (core_.spindles[s].command() != 0.0 || !core_.spindles[s].standing())) return false;
+    return true;
+}
+
 bool Machine::idle() noexcept {
+    if (is_left_alone()) return false;
     commands_.drain(core_.tick);
     if (switch_on_at_ >= 0) return false;
     if (!commands_.empty() || core_.store.question_open()) return false;

@@ -58,6 +58,11 @@ public:
     void adopt_parameters() noexcept;
     // Stops everything along the paths, spindles too, until reset.
     void stop_all(Alarm reason, double value = 0) noexcept;
+    // The supervisor has died: stops everything, and no command that it has left behind acts any more. When all stands, or after
+    // kLeftAloneMostS, the run is over. At a tick's start.
+    void left_alone() noexcept;
+    bool is_left_alone() const noexcept { return alone_since_ >= 0; }
+    static constexpr double kLeftAloneMostS = 120;   // a large chuck takes its time to stand
 
     Core& core() noexcept { return core_; }
     PlcLink& plc() noexcept { return plc_; }
@@ -76,6 +81,7 @@ private:
     void take_successors() noexcept;
     void take_answers() noexcept;
     void take_commands() noexcept;
+    bool all_stands() noexcept;
     void start_channels(const Command& command) noexcept;
     void run_command(const Command& command) noexcept;
     void run_channels() noexcept;
@@ -260,6 +266,7 @@ private:
     std::array<Watch, kMaxWatches> watches_{};
     std::size_t watch_count_ = 0;
     bool plc_late_ = false;
+    std::int64_t alone_since_ = -1;   // tick at which the supervisor had died; -1: it lives
     std::int32_t builder_message_ = 0, builder_note_ = 0;
     RingProducer<RingHead<TraceSample, 1024>> trace_ring_;
     TraceSample pending_trace_{};

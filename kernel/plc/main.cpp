@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "ipc/memory/life_line.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/plc/cycle_watch.hpp"
 #include "kernel/plc/session.hpp"
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
 
+    polyturn::end_with_kernel(instance);
     auto plc = polyturn::plc::BuilderPlc::load(library);
     if (!plc) return complain(plc.diagnosis());
     polyturn::plc::cycle_watch::start();

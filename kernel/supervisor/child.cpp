@@ -11,8 +11,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
+#include "ipc/memory/life_line.hpp"
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::supervisor {
@@ -47,7 +49,7 @@ void Child::close_all() {
     if (pidfd_ >= 0) close(std::exchange(pidfd_, -1));
 }
 
-Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes) {
+Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes, WhenLeftAlone alone) {
     const std::string path = program.front() == '/' ? program : text::program_folder() + "/" + program;
     const auto fault = [&](const char* what) { return Diagnosis{Alarm::ProcessStart, {}, {}, fmt::format("{} ({}: {})", path, what, std::strerror(errno))}; };
 
@@ -55,6 +57,13 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
     argv.push_back(const_cast<char*>(program.c_str()));
     for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
+    const bool in_order = alone == WhenLeftAlone::EndsInOrder;
+    std::string supervisor = fmt::format("{}={}", kSupervisorWord, getpid());
+    std::vector<char*> environment;
+    for (char** word = environ; *word; ++word)
+        if (!std::string_view(*word).starts_with(fmt::format("{}=", kSupervisorWord))) environment.push_back(*word);   // not our own supervisor's
+    if (in_order) environment.push_back(supervisor.data());
+    environment.push_back(nullptr);
 
     int in[2] = {-1, -1}, out[2] = {-1, -1}, told[2] = {-1, -1};
     if (pipe2(told, O_CLOEXEC) != 0) return fault("pipe");
@@ -63,7 +72,7 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
     const pid_t parent = getpid(), pid = fork();
     if (pid < 0) return fault("fork");
     if (pid == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (!in_order) prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent) _exit(127);  // the parent died before prctl
         setpgid(0, 0);                        // Ctrl-C is for the supervisor, which stops its children in order
         if (pipes.input) dup2(in[0], 0);
@@ -72,7 +81,7 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
         sigemptyset(&none);
         sigprocmask(SIG_SETMASK, &none, nullptr);
         ::signal(SIGPIPE, SIG_DFL);
-        execv(path.c_str(), argv.data());
+        execve(path.c_str(), argv.data(), environment.data());
         const int why = errno;
         if (write(told[1], &why, sizeof why) < 0) {}
         _exit(127);

@@ -1,4 +1,4 @@
-// A process that this one starts: beside it in bin/, dies with it, is watched by its pidfd.
+// A process that this one starts: beside it in bin/, watched by its pidfd; dies with it, or ends in order behind it.
 #pragma once
 #include <sys/types.h>
 
@@ -14,13 +14,15 @@ public:
     struct Pipes {
         bool input = false, output = false;  // our ends become input_fd() and output_fd()
     };
+    // When this process is killed: the child at once; or it finds out by itself and ends in order (ipc/memory/life_line.hpp).
+    enum class WhenLeftAlone { Dies, EndsInOrder };
     Child() = default;
     Child(Child&& other) noexcept;
     Child& operator=(Child&& other) noexcept;
     ~Child();  // SIGKILL and reaped: nothing of a run outlives it
 
     // program: name of an executable beside ours.
-    static Result<Child> start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes);
+    static Result<Child> start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes, WhenLeftAlone alone = WhenLeftAlone::Dies);
     static Result<Child> start(const std::string& program, const std::vector<std::string>& arguments) { return start(program, arguments, Pipes{}); }
 
     bool running() const { return pid_ > 0; }

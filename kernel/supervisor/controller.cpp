@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <filesystem>
 #include <limits>
 
 #include "ipc/machine/drive_sources.hpp"
@@ -82,7 +84,29 @@ void Controller::mark(std::size_t slot, ProcessState state, int pid) {
     entry.state.store(static_cast<std::uint32_t>(state), std::memory_order_release);
 }
 
+namespace {
+// A controller of this name whose supervisor was killed: its kernel brings the machine to rest before it ends, and its store holds the disk until
+// then (ipc/memory/life_line.hpp). Two must never drive the same machine.
+Result<void> wait_for_predecessor(const std::string& instance) {
+    constexpr auto kMost = std::chrono::seconds(150);
+    auto before = PeerSegment<SupervisorSegment>::attach(instance, 0, std::chrono::milliseconds(1));
+    if (!before || kill((*before)->header.writer_pid, 0) == 0) return {};   // none, or one that lives: that is somebody else's question
+    const auto until = std::chrono::steady_clock::now() + kMost;
+    for (std::size_t slot = 0; slot < kProcesses; ++slot) {
+        const int pid = (*before)->processes[slot].pid;
+        std::error_code none;
+        const auto ours = [&] { return pid > 0 && std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", none).filename().string().starts_with("polyturn-"); };
+        while (ours()) {
+            if (std::chrono::steady_clock::now() > until) return Diagnosis{Alarm::ProcessStart, {}, {}, "a process of an earlier controller of this name has not ended: " + std::to_string(pid)};
+            sleep_ms(10);
+        }
+    }
+    return {};
+}
+}  // namespace
+
 Result<void> Controller::launch() {
+    if (auto waited = wait_for_predecessor(plan_.instance); !waited) return waited;
     remove_instance(plan_.instance);   // what one that was killed has left in memory
     auto own = OwnSegment<SupervisorSegment>::create(plan_.instance, plan_.generation);
     if (!own) return own.diagnosis();
@@ -136,7 +160,8 @@ Result<void> Controller::spawn(std::size_t slot) {
         if (!retained.empty()) arguments.insert(arguments.end(), {"--retained", retained});
     }
     const bool own_drives = slot == kProcessDrives && !plan_.drives_program.empty();
-    auto child = Child::start(own_drives ? plan_.drives_program : program_of(slot), arguments);
+    const bool shows = slot == kProcessHmi || slot == kProcessCell;   // nothing of the machine hangs on them
+    auto child = Child::start(own_drives ? plan_.drives_program : program_of(slot), arguments, {}, shows ? Child::WhenLeftAlone::Dies : Child::WhenLeftAlone::EndsInOrder);
     if (!child) return child.diagnosis();
     const int pid = child->pid();
     children_.insert_or_assign(slot, std::move(*child));

@@ -158,7 +158,7 @@ struct Running {
 
 void BM_ToolCallOfTheProcess(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError("the store does not start");
+    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     StoreRequest call{};
     call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall);
     call.channel = 1;
@@ -173,7 +173,7 @@ BENCHMARK(BM_ToolCallOfTheProcess)->Unit(benchmark::kMicrosecond)->UseRealTime()
 // An operator's change: asked, on disk, answered.
 void BM_OffsetOfTheProcess(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError("the store does not start");
+    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     double value = 0;
     for (auto _ : state) {
         value = value > 0.9 ? 0.001 : value + 0.001;
@@ -186,7 +186,7 @@ BENCHMARK(BM_OffsetOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->
 // 10 000 life updates: the kernel only writes into its ring; how long until the store has them in its image.
 void BM_TenThousandLifeUpdates(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError("the store does not start");
+    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     StoreRequest use{};
     use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
     use.field = static_cast<std::int32_t>(LifeKind::Minutes), use.value = 1e-9, use.channel = 1;
@@ -204,12 +204,12 @@ BENCHMARK(BM_TenThousandLifeUpdates)->Unit(benchmark::kMillisecond)->UseRealTime
 
 void BM_StartOfTheProcess(benchmark::State& state) {
     Running running(1'000'000);
-    if (!running.good) return state.SkipWithError("the store does not start");
+    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     for (auto _ : state) {
         state.PauseTiming();
         running.rig.kill_now();
         state.ResumeTiming();
-        if (!running.start()) return state.SkipWithError("the store does not start");
+        if (!running.start()) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     }
 }
 BENCHMARK(BM_StartOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);

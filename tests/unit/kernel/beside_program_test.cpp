@@ -12,6 +12,12 @@ constexpr std::uint32_t kAxis = 0;   // A1, by machine axis from 0
 // The PLC has said that programs may move the axis (AP_PAXENA).
 constexpr int kPlcHasAnswered = 60;   // ticks
 
+// An axis B that several channels may command.
+void shared(params::Table& t, RunOptions&) {
+    params::put(t, params::n0100_axis_name1, 'B', 1);
+    params::put(t, params::f8250, 3, 1);
+}
+
 PathRecord step(TickRig& rig, BesideStep what, unsigned channel = 1) {
     PathRecord r = rig.blank(channel, RecordKind::Beside);
     r.code = static_cast<std::int32_t>(what);
@@ -183,7 +189,7 @@ TEST(BesideProgram, AResetEndsIt) {
 // F8250 = 3 (fanuc_lathe 10.4.5): the axis of channel 1 obeys programs of channel 2 too. They share its coordinate, and whoever was
 // started first goes first.
 TEST(BesideProgram, ProgramsOfTwoChannelsFollowEachOther) {
-    TickRig rig;
+    TickRig rig(shared);
     rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 10, 10), dwell(rig, 0.5), move(rig, 20, 10)});   // 0 to 2.5 s
     push_program(rig, {move_by(rig, 3, 10)}, 2);                                  // from 20
@@ -204,7 +210,7 @@ TEST(BesideProgram, ProgramsOfTwoChannelsFollowEachOther) {
 
 // Of three starts, the one of the other channel lies between: it does not wait for both.
 TEST(BesideProgram, TurnsGoByTheOrderOfTheStarts) {
-    TickRig rig;
+    TickRig rig(shared);
     rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 10, 10)});
     rig.push(1, rig.dwell(1, 0.3));
@@ -223,7 +229,7 @@ TEST(BesideProgram, TurnsGoByTheOrderOfTheStarts) {
 
 // A reset of the channel whose turn it is sets the axis free for the other one.
 TEST(BesideProgram, AResetPassesTheAxisOn) {
-    TickRig rig;
+    TickRig rig(shared);
     rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 50, 10)});
     rig.push(1, rig.dwell(1, 20));

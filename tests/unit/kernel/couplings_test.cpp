@@ -451,6 +451,35 @@ TEST(Couplings, ATornGantryStopsTheMachine) {
     EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
 }
 
+// Its loop is open, so its slide stays where it is: the master drives away from it, and that is what N2103 is about (22.3).
+TEST(Couplings, AGantryWhoseSlaveHasAnOpenLoopIsWatchedToo) {
+    for (const unsigned open : {4u, 2u})             // the slave's loop; the master's, whose slide the test pushes
+        for (const bool referenced : {true, false}) {
+            SCOPED_TRACE(testing::Message() << "A" << open << (referenced ? "" : ", without reference points"));
+            CoupledRig rig([](params::Table& t, RunOptions& o) {
+                params::put(t, params::n2101_synchronous_master, 2, 4);
+                params::put(t, params::n2102_synchron_config, 16, 4);
+                params::put(t, params::n2103_synchron_error, 0.2, 4);
+                for (const unsigned a : {2u, 4u}) params::put(t, params::n0900_reference_type, 0, a);
+                o.start_known[3] = o.start_known[1] = 1;
+            });
+            if (!referenced)
+                for (const unsigned a : {1u, 3u}) rig.machine->core().axes[a].referenced = false, rig.machine->core().axes[a].shift(a == 3 ? 7.0 : 0.0);
+            rig.run(50);
+            rig.flag(signals::ap_opnr(open), true);
+            rig.run(50);
+            EXPECT_FALSE(rig.alarmed(Alarm::GantryError));
+            if (open == 2) continue;                 // nothing moves by itself then
+            rig.command(CommandKind::Jog, 1, 10, 0, 2);
+            double furthest = 0;
+            rig.on_tick = [&] { furthest = std::max(furthest, std::fabs(rig.position(2) - rig.position(4) + (referenced ? 0.0 : 7.0))); };
+            rig.run(3000);
+            EXPECT_TRUE(rig.alarmed(Alarm::GantryError));
+            EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
+            EXPECT_LT(furthest, 5.0);                // 0.2, and the way on which it brakes
+        }
+}
+
 TEST(Couplings, AnExchangeIsAcknowledgedAndTellsWhatLiesBehindAnAddress) {
     CoupledRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n2104_composit_axis, 1, 3); });
     rig.flag(signals::ap_mixr(3), true);

@@ -130,6 +130,8 @@ public:
     std::uint64_t push(unsigned l, const PathRecord& record) {
         auto& ring = channel[l - 1]->path;
         const auto head = ring.head.load();
+        stop_at_corner(ring, last_line_[l - 1], record);
+        if (record.kind == static_cast<std::uint8_t>(RecordKind::Line)) last_line_[l - 1] = head;
         ring.slot(head) = record;
         ring.head.store(head + 1);
         return head;
@@ -224,6 +226,18 @@ public:
     }
 
 private:
+    // As a channel does it: no path goes round a corner at speed. Of lines; what was pushed so long ago that it is driven already rests at its end.
+    static void stop_at_corner(auto& ring, std::uint64_t last, const PathRecord& record) {
+        if (last == ~0ull || record.kind != static_cast<std::uint8_t>(RecordKind::Line) || (record.flags & kThread)) return;
+        PathRecord& before = ring.slot(last);
+        const auto way = [](const PathRecord& r, std::size_t axis) {
+            for (std::size_t i = 0; i < r.axis_count; ++i)
+                if (r.axis[i] == axis && r.length > 0) return (r.end[i] - r.start[i]) / r.length;
+            return 0.0;
+        };
+        for (std::size_t a = 0; a < kMaxAxes; ++a)
+            if (std::fabs(way(before, a) - way(record, a)) > 1e-9) before.flags |= kExactStop;
+    }
     // A channel takes its events at once; after a reset it pushes with the new epoch.
     void answer_events() {
         for (unsigned l = 0; l < 3; ++l) {
@@ -257,6 +271,7 @@ private:
         supervisor->log_tail.tail.store(head);
     }
     std::array<std::array<double, 2>, 3> at_{};
+    std::array<std::uint64_t, 3> last_line_{~0ull, ~0ull, ~0ull};   // index of the last one that was pushed
     std::uint32_t lines_ = 0;
     std::uint64_t notes_ = 0;
 };

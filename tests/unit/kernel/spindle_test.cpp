@@ -117,6 +117,65 @@ TEST(Spindle, StandingAtFeedPerRevolutionIsAnAlarmAndNoHang) {
 }
 
 // Its measured speed ends in a filter's tail, never at 0.
+// The PLC has detached it (SP_SDETCHR): it will never turn, and nobody may wait for it without a word.
+TEST(Spindle, ThatIsDetachedIsAnAlarmForWhoeverWaitsForIt) {
+    struct Row {
+        const char* what;
+        PathRecord (*record)(TickRig&);
+    };
+    const Row rows[] = {
+        {"a cut in mm/min", [](TickRig& rig) { return rig.line(1, {10, 0}, 20); }},
+        {"a cut in mm/rev",
+         [](TickRig& rig) {
+             PathRecord r = rig.line(1, {10, 0}, 0.2);
+             r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+             return r;
+         }},
+        {"a dwell in turns",
+         [](TickRig& rig) {
+             PathRecord r = rig.dwell(1, 3);
+             r.feed_mode = static_cast<std::uint8_t>(FeedMode::Revolutions);
+             r.spindle = 1;
+             return r;
+         }},
+        {"a thread",
+         [](TickRig& rig) {
+             PathRecord r = rig.line(1, {0, -20}, 0, kThread | kThreadEnd);
+             r.lead = 1;
+             return r;
+         }},
+    };
+    for (const Row& row : rows)
+        for (const bool turned : {false, true}) {
+            SCOPED_TRACE(testing::Message() << row.what << (turned ? ", it had turned" : ""));
+            TickRig rig;
+            rig.push(1, rig.spindle(1, 1000));
+            rig.push(1, rig.aux(1, 'M', 3));
+            rig.push(1, rig.dwell(1, 3));
+            rig.push(1, row.record(rig));
+            rig.push(1, rig.stop(1, StopReason::M30));
+            if (!turned) rig.command(CommandKind::SetSignal, 0, 1, 0, signals::sp_sdetchr(1), 1);
+            rig.start(1);
+            if (turned) rig.run(2900), rig.command(CommandKind::SetSignal, 0, 1, 0, signals::sp_sdetchr(1), 1);
+            rig.run_until_idle(60'000);
+            EXPECT_TRUE(rig.alarmed(Alarm::SpindleDetached, 1));
+            EXPECT_EQ(rig.state(1), ChannelState::Interrupted);
+        }
+}
+
+// One that the PLC has let go while nobody needs it keeps nobody.
+TEST(Spindle, ThatIsDetachedKeepsNoRapidMoveAndNoProgramThatDoesNotNeedIt) {
+    TickRig rig;
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::sp_sdetchr(1), 1);
+    rig.push(1, rig.line(1, {10, 0}, 0, kRapid));
+    rig.push(1, rig.line(1, {10, 0}, 20));   // no M3: it is meant to stand
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+    EXPECT_FALSE(rig.alarmed(Alarm::SpindleDetached));
+}
+
 TEST(Spindle, ThatHasBeenStoppedFeedsNothingEither) {
     TickRig rig;
     rig.push(1, rig.spindle(1, 600));
