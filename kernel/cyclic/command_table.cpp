@@ -159,7 +159,7 @@ void Machine::run_command(const Command& c) noexcept {
             });
             break;
         case CommandKind::Return:
-            if (c.channel >= 1 && c.channel <= kMaxChannels && channels_[c.channel - 1]->jogs_in_hold()) way_back_[c.channel - 1].going = true;
+            begin_return(c.channel);
             break;
         case CommandKind::StopAfterPart: each_channel(c, [&](ChannelRunner& r) { r.stop_after_part(on); }); break;
         case CommandKind::Action:
