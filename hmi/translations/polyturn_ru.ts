@@ -304,6 +304,11 @@
         <translation>Кадр вручную (РВД)</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>A block entered by hand waits: start runs it</source>
+        <translation>Ждёт кадр, введённый вручную: пуск выполнит его</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
         <translation>Часть длинной программы: строки %1–%2, %3 % её. «Проверка, ожидания» проверяет всю программу.</translation>
@@ -637,6 +642,11 @@
         <location filename="../screens/overview.cpp"/>
         <source>Block skip %1</source>
         <translation>Пропуск кадров %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Blocks are entered in MDI, or while a program is held</source>
+        <translation>Кадры вводятся в режиме РВД или пока программа остановлена</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1054,6 +1064,11 @@
         <translation>Удалить</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Delete all</source>
+        <translation>Удалить все</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Delete edge</source>
         <translation>Удалить кромку</translation>
@@ -1402,6 +1417,16 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block first</source>
+        <translation>Сначала примите кадр клавишей Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block, Start runs it</source>
+        <translation>Enter принимает кадр, пуск выполняет</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2087,6 +2112,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
         <translation>L%1 определяет %2 из %3: ускорение здесь сокращает цикл.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>L%1 is in automatic mode: choose Jog or MDI</source>
+        <translation>L%1 в автоматическом режиме: выберите «Ручной» или «РВД»</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -4729,11 +4759,6 @@
         <translation>Коснитесь бита ещё раз: он переключится</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Touch the line, type, Enter starts it</source>
-        <translation>Коснитесь строки, введите кадр; Enter запустит</translation>
-    </message>
-    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Touch, or Enter: a text</source>
         <translation>Касание или Enter: текст</translation>
@@ -5659,7 +5684,7 @@
         <translation>программа не выбрана</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>нет реф.</translation>
     </message>
@@ -6119,7 +6144,7 @@
         <translation>токарное сверло</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>вращается как шпиндель S%1</translation>
     </message>
