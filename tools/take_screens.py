@@ -190,16 +190,17 @@ def main():
                 time.sleep(3)
                 run("press", "reference", "all")
                 time.sleep(6)
-                run("press", "mdi L2 M72")
+                run("press", "mode L1=jog L2=jog")
+                run("press", "hand_key L2 M72")
                 time.sleep(1)
-                run("press", "mdi L2 M11")
+                run("press", "hand_key L2 M11")
                 time.sleep(3)
                 if options.only in ("", "manual", "manual-2"):
                     done = pictures("manual-2")
                 if done == 0 and options.only in ("", "diagnosis", "diagnosis-3"):   # the counter spindle follows the main one, Z takes its slide along
-                    run("press", "mdi L2 M61")
+                    run("press", "hand_key L2 M61")
                     time.sleep(3)
-                    run("press", "mdi L1 M64")
+                    run("press", "hand_key L1 M64")
                     time.sleep(3)
                     done = pictures("diagnosis-3")
             return done

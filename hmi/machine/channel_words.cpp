@@ -118,6 +118,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     const bool goesOn = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::ProgramStop;   // what was broken off waits for nobody
     if (state == ChannelState::Waiting || (status.wait_missing && goesOn)) return {Plight::Kind::Waits, waitWords(live, channel)};
     if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+    if (state == ChannelState::Held && status.mdi_waiting && static_cast<ChannelMode>(status.mode) != ChannelMode::Mdi) return {Plight::Kind::Stands, word("A block entered by hand waits: start runs it")};
     if (const AlarmEntry* here = state == ChannelState::ProgramStop ? alarms.toldAt(channel, status.line) : nullptr) return {Plight::Kind::Stands, word("%1: start goes on").arg(here->text)};
     if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
         switch (static_cast<StopReason>(status.stop_reason)) {

@@ -64,7 +64,7 @@ public:
     const ChannelStatus& channel(unsigned number) const { return status_->channels[number - 1]; }
     // In which its program is written: a job may say another one than PT_LANGUAGE. Blocks that the panel gives (MDI) are PT_LANGUAGE's.
     // Of what runs; a block by hand is in that of the machine (ChannelRunner::speaks). And of the selected program, whatever the mode.
-    Dialect language(unsigned channel) const { return static_cast<ChannelMode>(this->channel(channel).mode) == ChannelMode::Mdi ? panelLanguage(channel) : programLanguage(channel); }
+    Dialect language(unsigned channel) const { return static_cast<ChannelMode>(this->channel(channel).mode) == ChannelMode::Mdi || this->channel(channel).by_hand ? panelLanguage(channel) : programLanguage(channel); }
     Dialect programLanguage(unsigned channel) const { return static_cast<Dialect>(status_->channels[channel - 1].speaks); }
     Dialect panelLanguage(unsigned channel) const { return dialect_of(params::get_text(*table_, params::pt_language, channel)); }
     const std::vector<unsigned>& channels() const { return channels_; }   // that exist
@@ -84,6 +84,7 @@ public:
     const StoreTotals& totals() const { return *totals_; }
     const VariableList& variables(unsigned channel) const;   // read anew at each call
     bool dialogue(unsigned channel, Dialogue& out) const;     // what its program asks now; false: nothing
+    bool mdi(unsigned channel, MdiList& out) const { return connected_ && kernel_->mdi[channel - 1].read(out) && out.count > 0; }   // blocks entered by hand
     bool guard(GuardStatus& out) const { return connected_ && kernel_->guard.read(out); }   // bodies as protection sees them; none while it is off
     // The scope: what it records, and the samples from `next` on (moved behind them); false: some were missed.
     bool scopeChoice(ScopeChoice& out) const { return connected_ && kernel_->scope_choice.read(out); }

@@ -220,8 +220,16 @@ QString HandPage::toolBlock() const {
     return QString("T%1%1").arg(one.number, 2, 10, QChar('0'));
 }
 
+// A key that is a start by its label: one block, at once, refused as a start is; in automatic operation the program is what starts.
+void HandPage::start(unsigned channel, const QString& block) {
+    const ChannelStatus& status = desk_.live.channel(channel);
+    if (static_cast<ChannelMode>(status.mode) == ChannelMode::Auto && static_cast<ChannelState>(status.state) != ChannelState::Held)
+        return desk_.tell(word("L%1 is in automatic mode: choose Jog or MDI").arg(channel), Told::Refused);
+    desk_.requests.press(QString("hand_key L%1 %2").arg(channel).arg(block));
+}
+
 void HandPage::callTool() {
-    if (const QString block = toolBlock(); !block.isEmpty()) desk_.requests.press(QString("mdi L%1 %2").arg(desk_.channel).arg(block));
+    if (const QString block = toolBlock(); !block.isEmpty()) start(desk_.channel, block);
 }
 
 // As fast as the last executed block had it, else slowly: every language has these words.
@@ -242,7 +250,7 @@ void HandPage::doStep() {
     const unsigned chosen = named ? named : desk_.live.config().channel(step->channel).default_spindle;   // as the machine takes it before a program has named one
     if (step->spindle && chosen != step->spindle)
         return desk_.tell(word("Plain S of L%1 means S%2 now: M%3 would act on its chuck.").arg(step->channel).arg(chosen).arg(step->code), Told::Refused);
-    desk_.requests.press(QString("mdi L%1 M%2").arg(step->channel).arg(step->code));
+    start(step->channel, QString("M%1").arg(step->code));
 }
 
 void HandPage::refresh() {
@@ -309,7 +317,7 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
             {word("Reference"), press(QString("mode %1=reference").arg(name)), Sign::Offsets, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Reference},
             {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty() && idle(desk_.channel), false, false, word("The turret turns: press again"), {}, name, name},
             {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again"), {}, what, what},
-            {turns == "M5" ? word("Spindle stop") : word("Spindle %1").arg(turns.mid(4)), press(QString("mdi %1 %2").arg(name, turns)), Sign::Spindle, !turns.isEmpty() && idle(desk_.channel), false, false, turns == "M5" ? QString() : word("The spindle turns: press again"), {}, name, name},
+            {turns == "M5" ? word("Spindle stop") : word("Spindle %1").arg(turns.mid(4)), [this, channel = desk_.channel, turns] { start(channel, turns); }, Sign::Spindle, !turns.isEmpty() && idle(desk_.channel), false, false, turns == "M5" ? QString() : word("The spindle turns: press again"), {}, name, name},
             {word("Emergency stop"), press("emergency_stop"), Sign::Off, there, false, true}};
 }
 

@@ -36,6 +36,7 @@ private:
     void composeWheel(Writer& w);
     void composeState(Writer& w);
     void fillTools();
+    void start(unsigned channel, const QString& block);
     void callTool();
     const TransferStep* chosenStep() const;      // none: no counter spindle
     void doStep();

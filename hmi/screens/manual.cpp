@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "hmi/machine/axis_places.hpp"
 #include "hmi/machine/channel_words.hpp"
@@ -28,7 +29,7 @@ Manual::Manual(Desk& desk) : Screen(desk), axes_(new FreeSheet(this)), side_(new
     pad_->capitals = true;
     pad_->onText = [this](const QString& text) { if (mdi_.size() < 150) mdi_ += text, refresh(); };
     pad_->onBackspace = [this] { mdi_.chop(1), refresh(); };
-    pad_->onEnter = [this] { startMdi(); };
+    pad_->onEnter = [this] { enterMdi(); };
     setFocusPolicy(Qt::StrongFocus);
     axes_->onCompose = [this](Writer& w) { composeAxes(w); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
@@ -65,7 +66,7 @@ void Manual::letGo() {
 void Manual::press(int number) {
     const Live& live = desk_.live;
     if (!live.connected()) return;
-    if (std::exchange(typing_, number == kMdiHit) != typing_) layOut();
+    if (std::exchange(typing_, number == kMdiHit || (typing_ && number == kMdiClearHit)) != typing_) layOut();
     const QString name = QString("L%1").arg(desk_.channel);
     if (number >= kChannelHits) {
         desk_.choose(static_cast<unsigned>(number - kChannelHits));
@@ -80,8 +81,10 @@ void Manual::press(int number) {
                 if (spindle)
                     desk_.requests.press(QString("spindle_override S%1=%2").arg(spindle).arg(std::max(50, step(live.status().spindles[spindle - 1].override, number - kOverrideHits == kSpindleMore, 150))));
         }
+    } else if (number == kMdiClearHit) {
+        desk_.requests.press("mdi_clear " + name);
     } else if (number == kMdiHit) {
-        mode("mdi");
+        // typing only: the mode is chosen by its key
     } else if (number >= kStepHits) {
         step_ = number - kStepHits;
     } else {
@@ -119,9 +122,14 @@ QString Manual::whyNotMoved() const {
 
 void Manual::mode(const char* wanted) { desk_.requests.press(QString("mode L%1=%2").arg(desk_.channel).arg(wanted)); }
 
-void Manual::startMdi() {
+void Manual::enterMdi() {
     if (mdi_.trimmed().isEmpty()) return;
+    const ChannelStatus& status = desk_.live.channel(desk_.channel);
+    if (static_cast<ChannelMode>(status.mode) != ChannelMode::Mdi && static_cast<ChannelState>(status.state) != ChannelState::Held)   // as the kernel refuses it, and the words stay
+        return desk_.tell(word("Blocks are entered in MDI, or while a program is held"), Told::Refused);
     desk_.requests.press(QString("mdi L%1 %2").arg(desk_.channel).arg(mdi_.trimmed()));
+    mdi_.clear();
+    refresh();
 }
 
 void Manual::resizeEvent(QResizeEvent*) { layOut(); }
@@ -316,14 +324,8 @@ void Manual::composeSide(Writer& w) {
         }
     }
     // MDI
-    const double top = px(256);
-    w.fill(QRectF(0, top, wide, px(124)), t.card, px(8));
-    w.text(QRectF(px(14), top + px(8), wide - px(28), px(26)), word("A block by hand (MDI)"), lettering(16, true), t.text);
-    const QRectF line(px(12), top + px(42), wide - px(24), px(46));
-    w.field(line, mdi_, QString(), typing_, kMdiHit, Face::Program);
-    w.text(QRectF(px(14), top + px(94), wide - px(28), px(22)), word("Touch the line, type, Enter starts it"), lettering(13), t.dim);
+    const double hold = composeMdi(w, px(256), high - px(60)) + px(12);
     // the way back out of a hold
-    const double hold = top + px(136);
     w.fill(QRectF(0, hold, wide, high - hold), t.card, px(8));
     const Plight now = plight(live, desk_.alarms, desk_.channel);
     // Nothing stands in the way of a program that runs, and it needs no start.
@@ -334,6 +336,38 @@ void Manual::composeSide(Writer& w) {
     w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), sign, colour);
     Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), runs ? word("The program runs") : now.kind == Plight::Kind::None ? word("Nothing is missing for a start") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     words.wraps = true, words.data = true;
+}
+
+// The newest lines of the list, what has run in grey, then the field that is typed in.
+double Manual::composeMdi(Writer& w, double top, double most) {
+    const Theme& t = theme();
+    const double wide = side_->width(), row = px(24), frame = px(124);
+    MdiList list{};
+    const std::uint32_t count = desk_.live.mdi(desk_.channel, list) ? list.count : 0;
+    const auto room = static_cast<std::uint32_t>(std::clamp((most - px(12) - top - frame) / row, 1.0, 6.0)), shown = std::min(count, room);
+    const double end = top + frame + shown * row;
+    w.fill(QRectF(0, top, wide, end - top), t.card, px(8));
+    const double clear = count ? px(120) : 0;
+    w.text(QRectF(px(14), top + px(8), wide - px(28) - clear, px(26)), word("A block by hand (MDI)"), lettering(16, true), t.text);
+    if (count) {
+        const QRectF key(wide - clear - px(12), top + px(5), clear, px(32));
+        w.fill(key, t.raised, px(6));
+        w.frame(key, t.edge, px(6), 1);
+        w.text(key, word("Delete all"), lettering(14), t.text, Qt::AlignCenter);
+        w.hit(key, kMdiClearHit);
+    }
+    double y = top + px(40);
+    for (std::uint32_t i = count - shown; i < count; ++i, y += row) {
+        const MdiLine& line = list.lines[i];
+        const auto state = static_cast<MdiState>(line.state);
+        const bool over = state == MdiState::Done || state == MdiState::BrokenOff;
+        const Sign sign = state == MdiState::Runs ? Sign::Run : state == MdiState::Done ? Sign::Good : state == MdiState::BrokenOff ? Sign::Warning : Sign::None;
+        w.sign(QRectF(px(14), y + px(4), px(16), px(16)), sign, state == MdiState::Runs ? t.good : t.faint);
+        w.data(QRectF(px(38), y, wide - px(52), row), QString::fromUtf8(line.text.data(), static_cast<int>(::strnlen(line.text.data(), line.text.size()))), lettering(15, false, Face::Program), over ? t.faint : state == MdiState::Runs ? t.good : t.text);
+    }
+    w.field(QRectF(px(12), y + px(2), wide - px(24), px(46)), mdi_, QString(), typing_, kMdiHit, Face::Program);
+    w.text(QRectF(px(14), y + px(54), wide - px(28), px(22)), word("Enter takes the block, Start runs it"), lettering(13), t.dim);
+    return end;
 }
 
 // The key of the emergency stop stays one for a while after the machine was on, and after each press: who hits it again and again in fright
@@ -369,11 +403,8 @@ std::vector<SoftKey> Manual::keys() {
     // The way out of a hold and the way back have one key: only one of them can be gone. What it asks keeps a second press of the first from
     // being the other.
     SoftKey start = startKey(desk_);
-    if (mode_now == ChannelMode::Mdi && rests)
-        start.act = [this] {
-            if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
-            startMdi();
-        };
+    if (mode_now == ChannelMode::Mdi && rests && !status.mdi_waiting)
+        start.act = [this] { desk_.tell(mdi_.trimmed().isEmpty() ? word("No block is entered") : word("Enter takes the block first"), Told::Refused); };
     std::vector<SoftKey> keys{
         std::move(start),
         holdKey(desk_),
@@ -430,7 +461,8 @@ bool Manual::key(QKeyEvent* event) {
     }
     if (event->key() == Qt::Key_Escape) typing_ = false, layOut();
     else if (event->key() == Qt::Key_Backspace) mdi_.chop(1);
-    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) startMdi();
+    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) enterMdi();
+    else if (event->key() == Qt::Key_Delete) mdi_.isEmpty() ? press(kMdiClearHit) : mdi_.clear();
     else if (!event->text().isEmpty() && event->text()[0].isPrint() && mdi_.size() < 150) mdi_ += event->text().toUpper();
     else return false;
     refresh();

@@ -23,7 +23,7 @@ public:
     bool keyReleased(QKeyEvent* event) override;
     void letGo() override;
     bool typing() const override { return typing_; }
-    QString state() const override { return QString("%1 %2 ").arg(step_).arg(handShown_ ? 1 : 0) + mdi_; }   // the typed block too: it is started by a press of its own
+    QString state() const override { return QString("%1 %2 ").arg(step_).arg(handShown_ ? 1 : 0) + mdi_; }   // the typed block too: it moves nothing
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 3; }   // the handwheel and the tool, a block that is typed
@@ -36,9 +36,9 @@ public:
     FreeSheet& side() { return *side_; }
     // Numbers of touches: axis (from 1) * 10, + 1 for the positive, + 2 for the negative key, + 3 for its reference point.
     static int jogHit(unsigned axis, bool positive) { return static_cast<int>(axis) * 10 + (positive ? 1 : 2); }
-    static constexpr int kStepHits = 2000, kMdiHit = 2100, kOverrideHits = 2200, kChannelHits = 2300;
+    static constexpr int kStepHits = 2000, kMdiHit = 2100, kMdiClearHit = 2101, kOverrideHits = 2200, kChannelHits = 2300;
     void typeMdi(const QString& text) { mdi_ = text, refresh(); }
-    void startMdi();
+    void enterMdi();   // into the list; nothing moves before a start
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -67,7 +67,8 @@ private:
     bool typing_ = false;
     unsigned place_ = 0;          // of the axis that keys move
     int override_ = 0;            // feed, rapid, spindle: the one that keys change
-    QString mdi_;
+    double composeMdi(Writer& w, double top, double most);   // the card of blocks by hand; where it ends
+    QString mdi_;                 // that is being typed
     QElapsedTimer stopsSince_;    // since the machine was seen on, or its stop was pressed
 };
 

@@ -670,8 +670,9 @@ std::vector<SoftKey> Offsets::keys() {
     // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
     if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
         keys.push_back({word("Pattern menu"), [this] {
-                            desk_.requests.press(QString("mode L%1=mdi").arg(desk_.channel));
-                            desk_.requests.press(QString("mdi L%1 M98 P9500").arg(desk_.channel));
+                            if (static_cast<ChannelMode>(desk_.live.channel(desk_.channel).mode) == ChannelMode::Auto)   // the mode is the operator's
+                                return desk_.tell(word("L%1 is in automatic mode: choose Jog or MDI").arg(desk_.channel), Told::Refused);
+                            desk_.requests.press(QString("hand_key L%1 M98 P9500").arg(desk_.channel));
                         }, Sign::Note, desk_.live.connected() && static_cast<ChannelState>(desk_.live.channel(desk_.channel).state) != ChannelState::Running});
     return keys;
 }

@@ -309,6 +309,11 @@
         <translation>Blok ručně (MDI)</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>A block entered by hand waits: start runs it</source>
+        <translation>Čeká ručně zadaný blok: start jej provede</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
         <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. „Kontrola, čekání“ prohlédne celý program.</translation>
@@ -652,6 +657,11 @@
         <location filename="../screens/overview.cpp"/>
         <source>Block skip %1</source>
         <translation>Vypuštění bloků %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Blocks are entered in MDI, or while a program is held</source>
+        <translation>Bloky se zadávají v MDI nebo při zastaveném programu</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1069,6 +1079,11 @@
         <translation>Smazat</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Delete all</source>
+        <translation>Smazat vše</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Delete edge</source>
         <translation>Smazat břit</translation>
@@ -1417,6 +1432,16 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter přihlásí. Nový uživatel dostane toto jméno, toto heslo a úroveň %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block first</source>
+        <translation>Nejprve blok převezměte klávesou Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block, Start runs it</source>
+        <translation>Enter blok převezme, start provede</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2107,6 +2132,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
         <translation>L%1 určuje %2 z %3: co se zkrátí tam, zkrátí cyklus.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>L%1 is in automatic mode: choose Jog or MDI</source>
+        <translation>L%1 je v automatice: zvolte Ruční nebo MDI</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -4767,11 +4797,6 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Dotkněte se bitu znovu: přepne se</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Touch the line, type, Enter starts it</source>
-        <translation>Dotkněte se řádku, pište, Enter spustí</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

@@ -309,6 +309,11 @@
         <translation>Mondat kézzel (MDI)</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>A block entered by hand waits: start runs it</source>
+        <translation>Kézzel beírt mondat vár: a start végrehajtja</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
         <translation>Egy hosszú program része: %1–%2. sor, a program %3 %-a. Az „Ellenőrzés, bevárások” az egészet átnézi.</translation>
@@ -652,6 +657,11 @@
         <location filename="../screens/overview.cpp"/>
         <source>Block skip %1</source>
         <translation>Mondatkihagyás %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Blocks are entered in MDI, or while a program is held</source>
+        <translation>Mondatot MDI-ben vagy megállított programnál lehet beírni</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1069,6 +1079,11 @@
         <translation>Törlés</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Delete all</source>
+        <translation>Mindent töröl</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Delete edge</source>
         <translation>Él törlése</translation>
@@ -1417,6 +1432,16 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter: bejelentkezés. Az új felhasználó e névvel és jelszóval, „%1” szinttel jön létre.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block first</source>
+        <translation>Előbb vegye át a mondatot Enterrel</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block, Start runs it</source>
+        <translation>Enter átveszi, a start végrehajtja</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2107,6 +2132,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
         <translation>Ciklusidő: %3, ebből %2 az L%1 csatornán múlik; ami ott rövidül, a ciklust is rövidíti.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>L%1 is in automatic mode: choose Jog or MDI</source>
+        <translation>L%1 automata üzemmódban van: válasszon Kézit vagy MDI-t</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -4767,11 +4797,6 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Érintse meg még egyszer a bitet: átvált</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Touch the line, type, Enter starts it</source>
-        <translation>Érintse meg a sort, írjon, az Enter indítja</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

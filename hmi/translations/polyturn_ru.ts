@@ -309,6 +309,11 @@
         <translation>Кадр вручную (РВД)</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>A block entered by hand waits: start runs it</source>
+        <translation>Ждёт кадр, введённый вручную: пуск выполнит его</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
         <translation>Часть длинной программы: строки %1–%2, %3 % её. «Проверка, ожидания» проверяет всю программу.</translation>
@@ -652,6 +657,11 @@
         <location filename="../screens/overview.cpp"/>
         <source>Block skip %1</source>
         <translation>Пропуск кадров %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Blocks are entered in MDI, or while a program is held</source>
+        <translation>Кадры вводятся в режиме РВД или пока программа остановлена</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1069,6 +1079,11 @@
         <translation>Удалить</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Delete all</source>
+        <translation>Удалить все</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Delete edge</source>
         <translation>Удалить кромку</translation>
@@ -1417,6 +1432,16 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block first</source>
+        <translation>Сначала примите кадр клавишей Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Enter takes the block, Start runs it</source>
+        <translation>Enter принимает кадр, пуск выполняет</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2107,6 +2132,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
         <translation>L%1 определяет %2 из %3: ускорение здесь сокращает цикл.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>L%1 is in automatic mode: choose Jog or MDI</source>
+        <translation>L%1 в автоматическом режиме: выберите «Ручной» или «РВД»</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -4767,11 +4797,6 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Коснитесь бита ещё раз: он переключится</translation>
-    </message>
-    <message>
-        <location filename="../screens/manual.cpp"/>
-        <source>Touch the line, type, Enter starts it</source>
-        <translation>Коснитесь строки, введите кадр; Enter запустит</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

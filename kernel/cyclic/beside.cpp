@@ -31,7 +31,8 @@ bool waits_for_standing_spindle(const Core& core, Core::BesideWish& wish, bool h
 bool Machine::start_beside(std::uint32_t a, const Core::BesideWish& wish) noexcept {
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[a];
-    const bool may = axis.exists() && core_.on() && !core_.all_stop && axis.referenced && !axis.bound() && !axis.detached && !axis.moving() && !jogs_[a].active() && !slides_.carrier(core_, a) &&
+    const auto permit = MotionGate::ask(core_, wish.channel ? Door::Positioning : Door::PlcAxis, config.channel);
+    const bool may = axis.exists() && permit && axis.referenced && !axis.bound() && !axis.detached && !axis.moving() && !jogs_[a].active() && !slides_.carrier(core_, a) &&
                      !homing_[a].active() && !to_reference_[a] && axis.closed() && !(config.on_spindle && !core_.shared_axes[a].has_drive);
     if (!may) {
         axis.beside = false;
@@ -47,7 +48,7 @@ bool Machine::start_beside(std::uint32_t a, const Core::BesideWish& wish) noexce
     axis.beside = true;
     if (wish.channel && (channels_[wish.channel - 1]->keys & kKeyMachineLock)) return true;
     if (way == 0) return true;
-    start_jog(a, way > 0 ? 1.0 : -1.0, config.rapid, std::fabs(way), 0.0, true);
+    start_jog(*permit, a, way > 0 ? 1.0 : -1.0, config.rapid, std::fabs(way), 0.0, true);
     jogs_[a].limit_speed(beside_speed(a));
     if (wish.channel && jogs_[a].active()) axis.owner = wish.channel;
     if (wish.channel && std::fabs(way) > core_.stroke.room(core_, a, way)) channels_[wish.channel - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), axis.own() + std::copysign(core_.stroke.room(core_, a, way), way));

@@ -49,7 +49,7 @@ StartView ChannelRunner::start_view() const noexcept {
     const bool at_block = state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Restart;
     view.others_search = begins ? restart_refused_ && mode_ == ChannelMode::Auto : at_block && (restart_refused_ || !restart_complete_);
     view.lacks_program = begins && mode_ == ChannelMode::Auto && !selected_;
-    view.lacks_block = begins && mode_ == ChannelMode::Mdi && mdi_[0] == 0;   // the selected program is not what an operator in this mode means
+    view.lacks_block = begins && mode_ == ChannelMode::Mdi && lines_.waiting() == 0;   // the selected program is not what an operator in this mode means
     return view;
 }
 
@@ -60,7 +60,11 @@ bool ChannelRunner::has_nothing_to_begin() const noexcept {
 
 std::uint32_t ChannelRunner::look_what_start_needs() noexcept { return start_missing_ = rows_missing_for_start(core_, start_view()); }
 
-void ChannelRunner::cycle_start() noexcept {
+void ChannelRunner::cycle_start(bool only_by_hand) noexcept {
+    if (only_by_hand && !line_is_next()) {
+        if (lines_.waiting() == 0) return;   // why the block was not taken has been said
+        if (program_runs()) return core_.alarm(Alarm::MdiRefused, number_, "a program runs");
+    }
     if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) {  // pressed hold and start before it came to rest
         hold_ = false;
         return;
@@ -74,10 +78,11 @@ void ChannelRunner::cycle_start() noexcept {
     switch (state_) {
         case ChannelState::Reset:
         case ChannelState::Ended:
-            begin_program(ChannelEventKind::CycleStart, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1), cursor_,
-                          mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
+            if (mode_ == ChannelMode::Mdi) lines_.begin(!(keys & kKeySingleBlock)), begin_line();
+            else begin_program(ChannelEventKind::CycleStart, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1), cursor_, {});
             return;
         case ChannelState::Held:
+            if (line_is_next()) return begin_in_hold(HandBlock::Of::List);
             if (trail_.active() || retrace_ < 0) (void)start_retrace();
             else if (!ready_to_go_on()) return;
             hold_ = false;
@@ -138,8 +143,12 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     lap_ended_ = false;
     blocks_ = 0;
     trail_.clear();
-    if (text.empty()) broken_off_ = 0;   // a block entered by hand begins no program
-    core_.totals.part_begins(index_);
+    if (text.empty()) {   // a block by hand begins no program and no part
+        broken_off_ = 0;
+        hand_ = {};
+        lines_.clear();
+        core_.totals.part_begins(index_);
+    }
     core_.event(KernelEventKind::CycleStarted, number_);
     tell(how, record, value, text);
 }
@@ -149,14 +158,17 @@ bool ChannelRunner::restart(double block, ChannelSet together, std::uint32_t gro
         core_.alarm(Alarm::NotReady, number_, "a program is restarted at a block only in reset or after the end");
         return false;
     }
-    StartView view = start_view();   // of the selected program, whatever the mode is now
-    view.by_hand_mode = view.lacks_block = view.others_search = false;
+    if (mode_ != ChannelMode::Auto) {   // the mode is the operator's: a restart does not change it
+        core_.alarm(Alarm::NotReady, number_, "a program is restarted at a block only in automatic mode (choose it)");
+        return false;
+    }
+    StartView view = start_view();
+    view.others_search = false;
     view.lacks_program = !selected_;
     if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return false;
     }
-    mode_ = ChannelMode::Auto;
     restart_ = RestartState::Searching;
     restart_group_ = group;
     restart_complete_ = restart_refused_ = false;
@@ -193,6 +205,7 @@ void ChannelRunner::step_aside() noexcept {
 
 void ChannelRunner::feed_hold() noexcept {
     start_wanted_ = false;
+    if (state_ == ChannelState::Ended) lines_.stand();   // between two blocks by hand
     if (control_ & kControlNoHold) hold_later_ = program_runs();
     else safe_hold();
 }
@@ -240,6 +253,8 @@ void ChannelRunner::finish_reset() noexcept {
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     asked_for_ = BackFor::Change;
     change_due_ = start_wanted_ = held_mdi_ = program_left_ = false;
+    lines_.broken_off();
+    hand_ = {};
     question_ = ahead_asked_ = 0;
     ahead_ = kNoRecord;
     restart_ = RestartState::None;
@@ -280,28 +295,17 @@ void ChannelRunner::select(std::string_view file, double language) noexcept {
 // START of another channel's program. One that runs already, or is held, goes on as it is.
 void ChannelRunner::start_program() noexcept {
     if (!idle()) return;
-    if (mode_ == ChannelMode::Mdi) mode_ = ChannelMode::Auto;   // the selected program is meant, not the block that was entered last
+    if (mode_ == ChannelMode::Mdi) {   // the selected program is meant, not the block that was entered last; the mode is the operator's
+        core_.alarm(Alarm::NotReady, number_, "the program of another channel was to start this one, whose mode is MDI (choose automatic)");
+        return;
+    }
     cycle_start();
 }
 
 void ChannelRunner::set_mode(ChannelMode mode) noexcept {
     if (program_runs()) return;
-    if (mode != mode_) mdi_[0] = 0;   // a block of before is not what a start in MDI means
+    if (mode != mode_) lines_.clear();   // a block of before is not what a start in MDI means
     mode_ = mode;
-}
-
-void ChannelRunner::mdi(std::string_view text) noexcept {
-    if (state_ == ChannelState::Held && !question_ && (program_left_ || stands_in_hold())) {   // a block in the hold; the program goes on behind it
-        copy_text(mdi_, text);
-        return program_left_ ? enter_by_hand() : ask_to_go_back(BackFor::ByHand);
-    }
-    if (program_runs()) {
-        core_.alarm(Alarm::NotReady, number_, "a block is entered only in reset or after the end");
-        return;
-    }
-    mode_ = ChannelMode::Mdi;
-    copy_text(mdi_, text);
-    cycle_start();
 }
 
 void ChannelRunner::quit() noexcept {

@@ -3,6 +3,8 @@
 // not every block can be read again.
 #include "kernel/cyclic/channel_runner.hpp"
 
+#include <utility>
+
 namespace polyturn::kernel {
 
 ChannelRunner::Place ChannelRunner::place_now() const noexcept {
@@ -74,12 +76,7 @@ void ChannelRunner::take_answer() noexcept {
             core_.alarm(Alarm::NotReady, number_, "axes were moved in the hold, and this block cannot go on from elsewhere (press return)", 0, line_);
         }
     } else if (asked_for_ == BackFor::ByHand) {
-        if (goes_back) {
-            left_ = asked_;
-            enter_by_hand();
-        } else {
-            core_.alarm(Alarm::NotReady, number_, "the program cannot be left in this block");
-        }
+        answered_for_block(goes_back);
     } else if (goes_back) {
         go_back_to(asked_);
     } else if (answer == ResumeAnswer::Cannot) {
@@ -120,12 +117,14 @@ void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
     tell(ChannelEventKind::Resume, place.part | (place.begun ? kResumeBegun : 0) | (away ? kResumeAway : 0), static_cast<double>(place.serial));
 }
 
+// The block that a start has asked for; the program is still held behind it.
 void ChannelRunner::enter_by_hand() noexcept {
     if (asked_for_ == BackFor::ByHand && left_.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
     asked_for_ = BackFor::Change;
     discard();
     know_positions();
-    tell(ChannelEventKind::HeldMdi, cursor_, 0, std::string_view(mdi_.data()));
+    hand_.runs = std::exchange(hand_.wanted, HandBlock::Of::Nobody);
+    tell(ChannelEventKind::HeldMdi, cursor_, 0, hand_.runs == HandBlock::Of::List ? lines_.run_next() : std::string_view(hand_.of_key.data()));
     held_mdi_ = true;
     hold_ = false;
     state_ = ChannelState::Running;
@@ -135,7 +134,7 @@ void ChannelRunner::enter_by_hand() noexcept {
 // Cycle start in a hold. False: an answer must come first, or the program is being taken back.
 bool ChannelRunner::ready_to_go_on() noexcept {
     if (question_ || core_.store.value_open()) return start_wanted_ = true, false;   // what was set before counts
-    if (program_left_) {
+    if (program_left_ && !held_mdi_) {
         program_left_ = false;
         go_back_to(left_);
         return true;

@@ -9,6 +9,7 @@ namespace polyturn::kernel {
 
 // A Part record is executed: the counters go on (N2306, N2307), and the program may be at its end with it.
 void ChannelRunner::part_made() noexcept {
+    if (by_hand()) return;   // M99 or M30 in a block by hand ends that
     ++parts_;
     end_lap();
     core_.totals.part(index_);
@@ -27,7 +28,7 @@ void ChannelRunner::part_made() noexcept {
 // A part, or a program that counts none, is over: how long it took.
 void ChannelRunner::end_lap() noexcept {
     const double took_s = cycle_s_ - part_from_s_;
-    if (took_s <= 0 || mode_ == ChannelMode::Mdi) return;
+    if (took_s <= 0 || by_hand()) return;
     lap_ended_ = true;
     part_from_s_ = cycle_s_;
     last_cycle_s_ = took_s;

@@ -378,11 +378,13 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
             if (held_mdi_) {   // the block by hand is over, the program is still held
                 held_mdi_ = false;
                 program_left_ = true;
+                block_is_over();
                 stand(ChannelState::Held, StopReason::Held);
                 return true;
             }
             restart_ = RestartState::None;   // its block did not come
             if (!lap_ended_) end_lap();
+            block_is_over();
             strobe_end(reason);
             stand(ChannelState::Ended, reason);
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);

@@ -52,6 +52,8 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     core_.waits.leave(index_);
     ++run_;
     control_ = 0;   // a predecessor's program put off what the operator's switches do
+    lines_.broken_off();
+    hand_ = {};
     selected_ = false;   // it knows none of what its predecessor was told
     broken_off_ = 0;
     state_ = ChannelState::Reset;
@@ -255,6 +257,7 @@ void ChannelRunner::settle() noexcept {
     if (resetting_) finish_reset();
     if (interrupt_due_ && stands_for_interrupt()) break_off();
     settle_hold();
+    if (lines_.goes_on()) next_line();
     if (dead_ && !rest_reported_) {
         rest_reported_ = true;
         core_.waits.leave(index_);
@@ -532,6 +535,9 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.mean_cycle_s = cycles_ ? cycles_s_ / cycles_ : 0.0;
     status.lit_s = lit_s_;
     status.restart = static_cast<std::uint32_t>(restart_);
+    status.mdi_waiting = lines_.waiting();
+    status.by_hand = by_hand() ? 1 : 0;
+    lines_.publish(core_.image.mdi[index_]);
     core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
     core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);
     core_.signals.set_nc(signals::cn_hold(number_), hold_);
@@ -556,6 +562,7 @@ bool ChannelRunner::can_go_on() const noexcept {
     if (wheel_ && wheel_rate_ == 0) return phase_ == Phase::Handshake;
     if (trail_.active()) return state_ == ChannelState::Running || wheel_;
     if (state_ == ChannelState::Waiting) return core_.config.channels[index_].wait_timeout_s > 0 && !interrupted_;
+    if (state_ == ChannelState::Ended && lines_.goes_on()) return true;
     if (state_ != ChannelState::Running) return phase_ == Phase::Handshake;
     if (phase_ == Phase::Home) return static_cast<double>(core_.tick - phase_since_) * core_.config.tick_s < 600.0;   // a drive may never find it
     if (beside_program_.now()) return true;

@@ -21,6 +21,8 @@
 #include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/beside_program.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/hand_block.hpp"
+#include "kernel/cyclic/mdi_lines.hpp"
 #include "kernel/cyclic/moved_axes.hpp"
 #include "kernel/cyclic/record_inbox.hpp"
 #include "kernel/cyclic/restart_fate.hpp"
@@ -61,7 +63,7 @@ public:
     void send_events() noexcept;    // what the channel must know, after the status of this tick is published
 
     // --- commands, at a tick's start ---
-    void cycle_start() noexcept;
+    void cycle_start(bool only_by_hand = false) noexcept;   // only_by_hand: a block of the MDI list, or nothing
     // The program stands at a dialogue: a value that the operator has entered, and the key that ends it.
     void dialogue_value(double value, std::string_view variable) noexcept;
     void dialogue_key(double key) noexcept;
@@ -82,8 +84,12 @@ public:
     void select(std::string_view file, double language) noexcept;   // language: a Dialect, 0 as PT_LANGUAGE says
     void init_program(std::string_view file) noexcept { select(file, static_cast<double>(job_language_)); }   // INIT says none: as before
     void start_program() noexcept;
-    void mdi(std::string_view text) noexcept;
-    void set_mode(ChannelMode mode) noexcept;
+    // channel_by_hand.cpp: a block comes into the list, and nothing moves; the list is emptied; a key whose label is a start
+    void enter(std::string_view text) noexcept;
+    void clear_entered() noexcept;
+    void hand_key(std::string_view text) noexcept;
+    bool by_hand() const noexcept { return hand_.runs != HandBlock::Of::Nobody; }   // what runs, or is held, is no program
+    void set_mode(ChannelMode mode) noexcept;   // the operator's, and nobody else's
     ChannelMode mode() const noexcept { return mode_; }
     void stop_after_part(bool on) noexcept { stop_after_part_ = on; }
     // channel_production.cpp: a program that repeats itself ends with its part after so many seconds; 0: no warm-up.
@@ -110,7 +116,7 @@ public:
     double feed_override = 1, rapid_override = 1;   // as the switches stand
     // What the feed is driven with.
     // The language of what runs: of the selected program, where its job says one; a block by hand is in that of the machine.
-    Dialect speaks() const noexcept { return mode_ != ChannelMode::Mdi && job_language_ != Dialect::Polyturn ? job_language_ : core_.config.channels[index_].language; }
+    Dialect speaks() const noexcept { return mode_ != ChannelMode::Mdi && !by_hand() && job_language_ != Dialect::Polyturn ? job_language_ : core_.config.channels[index_].language; }
     double feed_factor() const noexcept {
         constexpr double kMost = 2.0;
         return std::min(feed_override, speaks() == Dialect::Fagor ? core_.config.channels[index_].fagor_feed_override_max : kMost);
@@ -273,6 +279,13 @@ private:
     void take_answer() noexcept;
     void go_back_to(const Place& place, bool away = false) noexcept;
     void enter_by_hand() noexcept;
+    bool may_leave_for_block() const noexcept { return state_ == ChannelState::Held && !held_mdi_ && (program_left_ || stands_in_hold()); }
+    bool line_is_next() const noexcept;
+    void begin_line() noexcept;
+    void begin_in_hold(HandBlock::Of what) noexcept;
+    void answered_for_block(bool goes_back) noexcept;
+    void next_line() noexcept;
+    void block_is_over() noexcept;
     void discard() noexcept;
     PathInput path_input() noexcept;
     bool may_leave_path() const noexcept;
@@ -411,7 +424,8 @@ private:
     bool came_back_ = false;               // from a wait at which it stood: it arrives there once more
     std::uint64_t meeting_ = 0;            // that released the wait which ends now
     std::uint64_t tool_shown_ = kNoRecord; // first-part mode has stood before it
-    std::array<char, kCommandText> mdi_{};
+    MdiLines lines_;                       // entered by hand
+    HandBlock hand_;
     bool selected_ = false;                // a program, in the process that is there now
     std::uint32_t broken_off_ = 0;         // line at which it was; 0: it has ended, or has not begun
     Dialect job_language_ = Dialect::Polyturn;   // of the selected program; Polyturn: PT_LANGUAGE

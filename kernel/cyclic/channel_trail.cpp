@@ -22,6 +22,10 @@ void ChannelRunner::retrace(bool on) noexcept {
         retrace_ = trail_.active() ? 1 : 0;
         return;
     }
+    if (line_is_next()) {   // what a start takes must be one thing
+        core_.alarm(Alarm::RetraceRefused, number_, "a block entered by hand waits for the start", 0, line_);
+        return;
+    }
     const bool held = state_ == ChannelState::Held || (state_ == ChannelState::ProgramStop && (stop_reason_ == StopReason::SingleBlock || stop_reason_ == StopReason::Retrace));
     if (!held || wheel_ || !(trail_.active() || may_leave_path())) {
         core_.alarm(Alarm::RetraceRefused, number_, held ? "not in this block" : "the program is not held", 0, line_);

@@ -20,7 +20,7 @@ void Machine::each_channel(const Command& command, Act act) noexcept {
 // to begin; the others are passed over: nobody has meant them. Where nothing would begin at all, one of them says what it lacks: the one
 // that somebody has put into MDI, else the first.
 void Machine::start_channels(const Command& command) noexcept {
-    if (command.channel != 0) return each_channel(command, [](ChannelRunner& r) { r.cycle_start(); });
+    if (command.channel != 0) return each_channel(command, [&](ChannelRunner& r) { r.cycle_start((command.flags & kStartByHand) != 0); });
     bool any = false;
     ChannelRunner* lacks = nullptr;
     for (unsigned l = 0; l < kMaxChannels; ++l) {
@@ -93,7 +93,9 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::WarmUp: each_channel(c, [&](ChannelRunner& r) { r.warm_up(c.value); }); break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
         case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c), c.value); }); break;
-        case CommandKind::Mdi: each_channel(c, [&](ChannelRunner& r) { r.mdi(text_of(c)); }); break;
+        case CommandKind::Mdi: each_channel(c, [&](ChannelRunner& r) { r.enter(text_of(c)); }); break;
+        case CommandKind::MdiClear: each_channel(c, [](ChannelRunner& r) { r.clear_entered(); }); break;
+        case CommandKind::HandKey: each_channel(c, [&](ChannelRunner& r) { r.hand_key(text_of(c)); }); break;
         case CommandKind::FeedOverride: each_channel(c, [&](ChannelRunner& r) { r.feed_override = std::clamp(c.value, 0.0, 2.0); }); break;
         case CommandKind::RapidOverride: each_channel(c, [&](ChannelRunner& r) { r.rapid_override = std::clamp(c.value, 0.0, 1.0); }); break;
         case CommandKind::SpindleOverride:
@@ -171,7 +173,7 @@ void Machine::run_command(const Command& c) noexcept {
             });
             break;
         case CommandKind::Return:
-            if (c.channel >= 1 && c.channel <= kMaxChannels && channels_[c.channel - 1]->jogs_in_hold()) way_back_[c.channel - 1].going = true;
+            begin_return(c.channel);
             break;
         case CommandKind::StopAfterPart: each_channel(c, [&](ChannelRunner& r) { r.stop_after_part(on); }); break;
         case CommandKind::Action:

@@ -30,7 +30,7 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         if (axis.moving()) return;   // its path still brakes
         axis.pressing = false;
         const double back = axis.measured() - axis.own();
-        if (core_.on() && back != 0) start_jog(a, back > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(back), 0.0);
+        if (const auto permit = MotionGate::ask(core_, Door::StopRelease, 0); permit && back != 0) start_jog(*permit, a, back > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(back), 0.0);
         if (jogs_[a].active()) axis.beside = axis.leaves_stop = coming_back_[a] = true;   // no path moves it before it is there
     } else if (std::fabs(axis.measured() - axis.pressed_at) > (core_.program_window[a] > 0 ? core_.program_window[a] : servo.stop_window)) {
         axis.pressing = false;

@@ -46,7 +46,8 @@ void Machine::run_gear_retracts() noexcept {
         GearRetract& phase = gear_retract_[l - 1];
         if (phase == GearRetract::None) continue;
         const std::uint32_t follower = spindle_couplings_.gear_of(l);
-        if (!core_.on() || follower == SpindleCouplings::kNobody) {
+        const auto permit = MotionGate::ask(core_, Door::GearRetract, l);
+        if (!permit || follower == SpindleCouplings::kNobody) {
             phase = GearRetract::None;
             continue;
         }
@@ -79,7 +80,7 @@ void Machine::run_gear_retracts() noexcept {
             const double share = std::fabs(axis.gear_retract) / way;
             const double speed = std::fmin(config.gear_retract_feed * share, axis.rapid);
             if (held && way_back_[l - 1].count < WayBack::kMost) way_back_[l - 1].add(a, core_.axes[a].own());
-            start_jog(a, axis.gear_retract > 0 ? 1.0 : -1.0, speed, std::fabs(axis.gear_retract), 0.0);
+            start_jog(*permit, a, axis.gear_retract > 0 ? 1.0 : -1.0, speed, std::fabs(axis.gear_retract), 0.0);
         }
     }
 }

@@ -39,7 +39,7 @@ void Homing::found(AxisUnit& axis, double at, double machine) noexcept {
     axis.referenced = true;
 }
 
-void Homing::start(AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept {
+void Homing::start(Permit, AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept {
     most_ = most;
     const ReferenceConfig& r = axis.config().reference;
     state_ = State::Busy;

@@ -15,6 +15,7 @@
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "kernel/cyclic/axis_jog.hpp"
 #include "kernel/cyclic/axis_unit.hpp"
+#include "kernel/gate/motion_gate.hpp"
 
 namespace polyturn::kernel {
 
@@ -24,7 +25,7 @@ public:
 
     bool active() const noexcept { return state_ == State::Busy; }
     // `most`: what other axes that come along can do; infinite values limit nothing.
-    void start(AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept;
+    void start(Permit permit, AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept;
     // Brakes; the reference that it had is lost, as from the start on.
     void stop() noexcept;
     // One tick. `on_switch`: AP_DECSW, `drive_ready`: AP_RPE. When Failed, alarm() says why.

@@ -23,7 +23,7 @@ bool Machine::square_rests(const InclinedSlides::Slide& slide) const noexcept {
 // May it be taken along now? NOZAGC moves the slide alone.
 bool Machine::square_may_come(const InclinedSlides::Slide& slide, std::uint32_t channel) noexcept {
     if (core_.signals.plc(signals::nozagc(channel))) return true;
-    if (!may_be_moved(slide.square - 1)) return false;
+    if (!may_be_moved(slide.square - 1, Door::Jog)) return false;
     if (square_rests(slide)) return true;
     core_.alarm(Alarm::NotReady, channel, "the axis still moves");
     return false;

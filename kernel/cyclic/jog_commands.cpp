@@ -56,17 +56,18 @@ std::uint32_t Machine::behind_address(std::uint32_t a) const noexcept { return c
 double Machine::address_sign(std::uint32_t a) const noexcept { return couplings_.route(a) && core_.config.axes[a].counts_other_way ? -1.0 : 1.0; }
 
 // `address`: as the operator names it; its channel asks. The axis is the one whose drive it has.
-bool Machine::may_be_moved(std::uint32_t address) noexcept {
+bool Machine::may_be_moved(std::uint32_t address, Door door) noexcept {
     const std::uint32_t a = behind_address(address), l = core_.config.axes[address].channel;
     const AxisUnit& axis = core_.axes[a];
     const auto refuse = [&](std::string_view why) {
         core_.alarm(Alarm::NotReady, l, why);
         return false;
     };
-    if (!core_.on() || core_.all_stop) return refuse("axes are moved by hand only while the machine is on");
+    const std::uint8_t missing = MotionGate::missing(core_, door, l);
+    if (missing & (kMachineOn | kNoStop)) return refuse("axes are moved by hand only while the machine is on");
     if (l == 0) return refuse("the axis belongs to no channel");
     if (!axis.exists()) return refuse("there is no drive behind this address: an axis must be exchanged onto it first");
-    if (core_.door_open(l)) return refuse("the door is open: close it, or switch to setup mode");
+    if (missing & kDoorClosed) return refuse("the door is open: close it, or switch to setup mode");
     if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
         return refuse("axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
     if (const std::uint32_t owner = core_.config.axes[a].channel; owner != l && axis.owner == owner && channels_[owner - 1]->program_runs()) return refuse("a program of another channel moves the axis");
@@ -86,7 +87,7 @@ bool Machine::may_be_moved(std::uint32_t address) noexcept {
     return true;
 }
 
-void Machine::start_jog(std::uint32_t a, double sign, double speed, double distance, double seconds, bool by_key) noexcept {
+void Machine::start_jog(Permit, std::uint32_t a, double sign, double speed, double distance, double seconds, bool by_key) noexcept {
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[a];
     // Before it is referenced, no axis is faster than N0302 (5).
@@ -128,7 +129,10 @@ void Machine::jog_command(const Command& c) noexcept {
     const bool stops_with_wheel = by_wheel && (config.handle >> (4 + wheel) & 1u);
     if (by_wheel && (config.handle >> wheel & 1u)) sign = -sign;
     if (by_wheel && channels_[l - 1]->superposes() && channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold()) return superpose(a, sign * size * wheel_click(address));
-    if (!may_be_moved(address)) return;
+    const Door door = by_wheel ? Door::Handwheel : kind == CommandKind::Step ? Door::Step : Door::Jog;
+    if (!may_be_moved(address, door)) return;
+    const auto permit = MotionGate::ask(core_, door, l);
+    if (!permit) return;
     if (touches_setter(l, a, sign)) {
         const bool again = static_cast<double>(core_.tick - setters_[l - 1].told) * core_.config.tick_s < 1.0;
         setters_[l - 1].told = core_.tick;
@@ -156,11 +160,11 @@ void Machine::jog_command(const Command& c) noexcept {
     }
     if (slide) slides_.begin(core_, a);
     if (kind == CommandKind::Jog) {
-        start_jog(a, sign, jog_feed(address) * longer, 0.0, size, true);
+        start_jog(*permit, a, sign, jog_feed(address) * longer, 0.0, size, true);
         jog_address_[a] = address + 1;
         if (!jogs_[a].active() && room_by_hand(a, sign) <= 0) core_.alarm(Alarm::NotReady, l, "the axis is at the end of its stroke; the other direction is free");
     } else {
-        start_jog(a, sign, by_hand(address) * longer, (kind == CommandKind::Step ? size : size * wheel_click(address)) * longer, 0.0);
+        start_jog(*permit, a, sign, by_hand(address) * longer, (kind == CommandKind::Step ? size : size * wheel_click(address)) * longer, 0.0);
         if (stops_with_wheel) wheel_turned_[a] = core_.tick + 1;
     }
 }
@@ -176,6 +180,18 @@ void Machine::turn_on(std::uint32_t a, double sign, double way) noexcept {
     wheel_turned_[a] = core_.tick + 1;
 }
 
+// A key that is a start. What is refused is not kept: nothing moves when the machine is switched on again.
+void Machine::begin_return(std::uint32_t channel) noexcept {
+    if (channel == 0 || channel > kMaxChannels) return;
+    ChannelRunner& runner = *channels_[channel - 1];
+    const auto refuse = [&](std::string_view why) { core_.alarm(Alarm::NotReady, channel, why); };
+    const std::uint8_t missing = MotionGate::missing(core_, Door::Return, channel);
+    if (!runner.jogs_in_hold() || !runner.program_runs()) return refuse("no axes were moved away from a program that is held");
+    if (missing & (kMachineOn | kNoStop)) return refuse("axes go back only while the machine is on");
+    if (missing & kDoorClosed) return refuse("the door is open: close it, or switch to setup mode");
+    way_back_[channel - 1].going = true;
+}
+
 // What the operator moved in the hold goes back the same way, the last move first.
 void Machine::go_back() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
@@ -185,7 +201,12 @@ void Machine::go_back() noexcept {
             way.going = false;
             continue;
         }
-        if (!way.going || (core_.jogging >> l & 1u) || core_.all_stop) continue;
+        if (!way.going || (core_.jogging >> l & 1u)) continue;
+        const auto permit = MotionGate::ask(core_, Door::Return, l + 1);
+        if (!permit || !channels_[l]->program_runs()) {   // the operator asks again
+            way.going = false;
+            continue;
+        }
         if (way.count == 0) {
             way.going = false;
             channels_[l]->on_path_again();
@@ -200,7 +221,7 @@ void Machine::go_back() noexcept {
             continue;
         }
         if (slide_of(a) && !way.alone[way.count - 1]) slides_.begin(core_, a, true);   // as it came
-        start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+        start_jog(*permit, a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
     }
 }
 
@@ -209,15 +230,18 @@ void Machine::run_jogs() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
-        if (const double owed = axis.take_way_back(); owed != 0 && core_.on()) start_jog(a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);   // follow-up (7.4)
+        if (const double owed = axis.take_way_back(); owed != 0)
+            if (const auto permit = MotionGate::ask(core_, Door::FollowUp, 0)) start_jog(*permit, a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);   // follow-up (7.4)
         const InclinedSlides::Slide* slide = slide_of(a);
         // What cannot be driven now is not kept for a moment when nobody turns the wheel.
         if (!core_.on() || core_.all_stop || slides_.carrier(core_, a) || (slide && !core_.signals.plc(signals::nozagc(core_.config.axes[a].channel)) && !jogs_[a].active() && !square_rests(*slide)))
             wheel_left_[a] = 0;
         if (!jogs_[a].active() && wheel_left_[a] != 0) {
             const double left = std::exchange(wheel_left_[a], 0.0);
+            const auto permit = MotionGate::ask(core_, Door::Handwheel, core_.config.axes[a].channel);
+            if (!permit) continue;
             if (slide) slides_.begin(core_, a);
-            start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+            start_jog(*permit, a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
         }
         if (!jogs_[a].active()) continue;
         const std::uint32_t address = jog_address_[a];   // a key: the feed as it is now
@@ -259,6 +283,10 @@ void Machine::turn_program(std::uint32_t channel, double clicks) noexcept {
     const ChannelConfig& config = core_.config.channels[channel - 1];
     if (!program_wheel_[config.group]) {
         core_.alarm(Alarm::NotReady, channel, "the handwheel drives a program only after program_wheel");
+        return;
+    }
+    if (MotionGate::missing(core_, Door::ProgramWheel, channel)) {
+        core_.alarm(Alarm::NotReady, channel, "the handwheel drives a program only while the machine is on");
         return;
     }
     program_time_[config.group] += clicks * config.wheel_time_s;

@@ -29,6 +29,7 @@
 #include "kernel/cyclic/spindle_couplings.hpp"
 #include "kernel/cyclic/tool_in_work.hpp"
 #include "kernel/drives/segment_drives.hpp"
+#include "kernel/gate/motion_gate.hpp"
 #include "kernel/drives/shared_drive.hpp"
 
 namespace polyturn::kernel {
@@ -102,11 +103,12 @@ private:
         std::int64_t told = -1'000'000;  // tick of the last refusal: a panel tells again and again that its key is held
     };
     std::array<Setter, kMaxChannels> setters_{};
-    bool may_be_moved(std::uint32_t axis) noexcept;
+    bool may_be_moved(std::uint32_t axis, Door door) noexcept;
+    void begin_return(std::uint32_t channel) noexcept;
     double by_hand(std::uint32_t axis) const noexcept;
     double wheel_click(std::uint32_t address) const noexcept;
     void turn_on(std::uint32_t a, double sign, double way) noexcept;
-    void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds, bool by_key = false) noexcept;
+    void start_jog(Permit permit, std::uint32_t axis, double sign, double speed, double distance, double seconds, bool by_key = false) noexcept;
     // The axis whose drive an address has, and 1 or -1: which way the address counts it (nct_parameters_part2 22.4).
     std::uint32_t behind_address(std::uint32_t axis) const noexcept;
     double address_sign(std::uint32_t axis) const noexcept;

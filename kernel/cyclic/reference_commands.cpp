@@ -8,7 +8,7 @@ std::string_view name_of(const AxisConfig& config) noexcept { return {config.nam
 }  // namespace
 
 void Machine::reference_command(const Command& c) noexcept {
-    if (!core_.on() || core_.all_stop) {
+    if (MotionGate::missing(core_, Door::Reference, 0)) {
         core_.alarm(Alarm::ReferenceRefused, 0, "the machine is not on");
         return;
     }
@@ -25,6 +25,7 @@ void Machine::reference_axis(std::uint32_t a, bool alone) noexcept {
         text << name_of(config) << ": " << why;
         core_.alarm(Alarm::ReferenceRefused, config.channel, text.view());
     };
+    if (MotionGate::missing(core_, Door::Reference, config.channel) & kDoorClosed) return refuse("the door is open: close it, or switch to setup mode");
     if (axis.detached) return alone ? refuse("it is detached") : void();
     if (axis.slave) return alone ? refuse("it follows another axis") : void();
     if (axis.owner && channels_[config.channel - 1]->program_runs()) return refuse("a program moves it");
@@ -38,7 +39,7 @@ void Machine::run_homing() noexcept {
         if (!core_.home_wish[a]) continue;   // a program (record Home)
         core_.home_wish[a] = false;
         const AxisUnit& axis = core_.axes[a];
-        const bool may = core_.on() && !core_.all_stop && !axis.detached && !axis.bound() && !jogs_[a].active() && !slides_.carrier(core_, a);
+        const bool may = MotionGate::ask(core_, Door::ReferenceByProgram, 0) && !axis.detached && !axis.bound() && !jogs_[a].active() && !slides_.carrier(core_, a);
         core_.home_failed[a] = !may;
         to_reference_[a] = may;
     }
@@ -55,9 +56,14 @@ void Machine::run_homing() noexcept {
         const bool ready = core_.signals.plc(signals::ap_rpe(a + 1)) != 0;
         if (to_reference_[a] && config.reference.order == turn) {
             to_reference_[a] = false;
+            const auto permit = MotionGate::ask(core_, Door::ReferenceByProgram, 0);   // asked again: its turn may come late
+            if (!permit) {
+                core_.home_failed[a] = true;
+                continue;
+            }
             axis.owner = 0;
             if (const InclinedSlides::Slide* slide = slide_of(a); slide && slide->taken_home && config.reference.moves() && square_rests(*slide)) slides_.begin(core_, a);
-            homing_[a].start(axis, ready, core_.config.tick_s, limits_by_hand(a, config.rapid));
+            homing_[a].start(*permit, axis, ready, core_.config.tick_s, limits_by_hand(a, config.rapid));
             if (axis.referenced && !homing_[a].active()) reference_gantry(a);
         }
         core_.home_busy[a] = to_reference_[a] || homing_[a].active();

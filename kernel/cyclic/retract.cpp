@@ -43,7 +43,8 @@ void Machine::run_retracts() noexcept {
             if (core_.config.axes[a].channel == l && core_.axes[a].exists()) rests = rests && !core_.axes[a].moving() && !jogs_[a].active();
             if (takes_part(a)) longest = std::fmax(longest, std::fabs(core_.config.axes[a].retract) / core_.config.axes[a].rapid);
         }
-        if (!core_.on() || core_.all_stop) phase = Retract::None;   // braking already
+        const auto permit = MotionGate::ask(core_, Door::WorkRetract, l);
+        if (!permit) phase = Retract::None;   // braking already
         else if (!rests) any = true;
         else if (phase == Retract::Moving || longest == 0) phase = Retract::None;
         else {
@@ -52,7 +53,7 @@ void Machine::run_retracts() noexcept {
             for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
                 if (!takes_part(a)) continue;
                 const double way = core_.config.axes[a].retract;   // together: each arrives when the slowest does
-                start_jog(a, way > 0 ? 1.0 : -1.0, std::fabs(way) / longest, std::fabs(way), 0.0);
+                start_jog(*permit, a, way > 0 ? 1.0 : -1.0, std::fabs(way) / longest, std::fabs(way), 0.0);
             }
         }
         core_.signals.set_nc(signals::cn_retract(l), phase != Retract::None);

@@ -16,6 +16,10 @@ void Machine::superpose(std::uint32_t a, double way) noexcept {
         core_.alarm(Alarm::SlaveCommanded, l, name_of('A', a).view());
         return;
     }
+    if (const std::uint8_t missing = MotionGate::missing(core_, Door::Superpose, l)) {
+        core_.alarm(Alarm::NotReady, l, missing & kDoorClosed ? "the door is open: close it, or switch to setup mode" : "axes are moved by hand only while the machine is on");
+        return;
+    }
     overlays_[a].left += way;
 }
 
@@ -26,8 +30,9 @@ void Machine::run_overlays() noexcept {
         const AxisConfig& config = core_.config.axes[a];
         if (!axis.exists() || config.channel == 0) continue;
         ChannelRunner& runner = *channels_[config.channel - 1];
-        if (!overlay.jog.active() && overlay.left != 0 && core_.on() && !core_.all_stop) {
-            if (!runner.program_runs()) overlay.left = 0;
+        if (!overlay.jog.active() && overlay.left != 0) {
+            const auto permit = MotionGate::ask(core_, Door::Superpose, config.channel);
+            if (!permit || !runner.program_runs()) overlay.left = 0;
             else if (runner.leaves_room()) {
                 const double left = std::exchange(overlay.left, 0.0), sign = left > 0 ? 1.0 : -1.0;
                 const double most = config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;

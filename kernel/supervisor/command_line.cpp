@@ -79,7 +79,8 @@ void take_words(const CLI::App& app, CommandLine& line) {
 
 constexpr const char* kPressWords =
     "  cycle_start [L|T]   feed_hold [L|T]   reset [L|T]   emergency_stop   release_emergency_stop   machine_on\n"
-    "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB   mdi L1 G0 X50.\n"
+    "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB\n"
+    "  mdi L1 G0 X50. (enters a block, cycle_start L1 runs it)   mdi_clear L1   hand_key L1 T0101\n"
     "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
     "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
     "  single_block L1=on|T1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"

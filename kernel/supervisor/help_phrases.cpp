@@ -129,6 +129,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"drives backwards", "идёт назад по траектории", "jede zpět po dráze", "visszafelé halad a pályán"},
     {"drives forwards again", "снова идёт вперёд", "jede opět vpřed", "ismét előre halad"},
     {"driven by the handwheel", "ведёт маховичок", "vede ruční kolečko", "a kézikerék vezeti"},
+    {"a block entered by hand runs", "выполняется кадр, введённый вручную", "běží ručně zadaný blok", "kézzel beírt mondat fut"},
+    {"cycle start runs a block entered by hand", "пуск выполнит кадр, введённый вручную", "start provede ručně zadaný blok", "a start kézzel beírt mondatot hajt végre"},
     {"cycle start drives backwards", "пуск поведёт назад", "start pojede zpět", "a start visszafelé hajt"},
     {"passes its waits over, nobody waits for it", "ожидания пропускаются, его никто не ждёт", "čekání se přeskakují, nikdo na něj nečeká", "a várakozásokat átlépi, senki sem vár rá"},
     {"handwheel superposed", "маховичок наложен", "ruční kolečko superponováno", "rászuperponált kézikerék"},

@@ -44,6 +44,10 @@ std::string_view restart_text(std::uint32_t restart) {
     static constexpr std::string_view kNames[] = {"none", "searching", "at_block"};
     return restart < std::size(kNames) ? kNames[restart] : "?";
 }
+std::string_view mdi_text(std::uint32_t state) {
+    static constexpr std::string_view kNames[] = {"entered", "runs", "done", "broken_off"};
+    return state < std::size(kNames) ? kNames[state] : "?";
+}
 // What else holds for a channel: driven backwards, by a handwheel, looking for the block of a restart.
 std::string special_text(const ChannelStatus& channel) {
     std::string out;
@@ -51,6 +55,8 @@ std::string special_text(const ChannelStatus& channel) {
     if (channel.retrace < 0) add("drives backwards");
     if (channel.retrace > 0) add("drives forwards again");
     if ((channel.keys & kKeyRetrace) && channel.retrace >= 0) add("cycle start drives backwards");
+    if (channel.by_hand) add("a block entered by hand runs");
+    if (channel.mdi_waiting && (channel.mode == static_cast<std::uint32_t>(ChannelMode::Mdi) || channel.state == static_cast<std::uint32_t>(ChannelState::Held))) add("cycle start runs a block entered by hand");
     if (channel.keys & kKeyIgnoreWaits) add("passes its waits over, nobody waits for it");
     if (channel.wheel) add("driven by the handwheel");
     if (channel.keys & kKeySuperpose) add("handwheel superposed");
@@ -68,6 +74,7 @@ struct Picture {
     double tick_s = 0.001;
     std::vector<std::pair<std::string, int>> processes;
     std::string program[kMaxChannels];
+    std::array<MdiList, kMaxChannels> mdi{};
     std::array<std::int32_t, kMaxChannels> shown_tool{};   // what the PLC says is active; 0 nothing
 };
 
@@ -96,6 +103,7 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     }
     for (unsigned number = 1; number <= kMaxChannels; ++number) {
         if (!picture->machine.channel(number).exists()) continue;
+        if (!(*kernel)->mdi[number - 1].read(picture->mdi[number - 1])) picture->mdi[number - 1] = {};
         auto channel = PeerSegment<ChannelSegment>::attach(instance, number);
         auto names = std::make_unique<ProgramNames>();
         if (!channel || !(*channel)->programs.read(*names) || names->count == 0) continue;
@@ -171,6 +179,15 @@ Result<std::string> status_json(const std::string& instance) {
         if (p.shown_tool[i] > 0) channels += fmt::format(",\"active_tool\":{}", p.shown_tool[i]);
         if (channel.touched) channels += fmt::format(",\"touched\":\"A{}{}\",\"{}\":{}", std::abs(channel.touched), channel.touched < 0 ? '-' : '+', channel.touched_at > 2 ? "workpiece_setter" : "setter", channel.touched_at > 2 ? channel.touched_at - 2 : channel.touched_at);
         if (!p.program[i].empty()) channels += ",\"program\":", append_json_text(channels, p.program[i]);
+        if (const MdiList& list = p.mdi[i]; list.count) {
+            channels += ",\"mdi\":[";
+            for (std::uint32_t k = 0; k < std::min<std::uint32_t>(list.count, kMdiLines); ++k) {
+                channels += k ? ",{\"block\":" : "{\"block\":";
+                append_json_text(channels, {list.lines[k].text.data(), ::strnlen(list.lines[k].text.data(), list.lines[k].text.size())});
+                channels += fmt::format(",\"state\":\"{}\"}}", mdi_text(list.lines[k].state));
+            }
+            channels += ']';
+        }
         channels += '}';
     }
     for (const auto& [name, pid] : p.processes) {

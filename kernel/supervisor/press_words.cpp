@@ -36,7 +36,7 @@ enum class Form {
     ChannelMode,     // mode L1=jog
     SkipLevel,       // block_skip L1=1
     Select,          // select L1=FILE, select JOB
-    Mdi,             // mdi L1 G0 X50.
+    Block,           // mdi L1 G0 X50.
     Jog,             // jog A3+ 0.5s
     Step,            // step A3- 0.01
     Wheel,           // handwheel 1 A3 +120
@@ -62,7 +62,9 @@ constexpr PressWord kWords[] = {
     {"machine_on", CommandKind::MachineOn, Form::Alone, "machine_on"},
     {"mode", CommandKind::Mode, Form::ChannelMode, "mode L1=auto|mdi|jog|handwheel|reference"},
     {"select", CommandKind::Select, Form::Select, "select L1=FILE or select NAME.job.toml"},
-    {"mdi", CommandKind::Mdi, Form::Mdi, "mdi L1 G0 X50."},
+    {"mdi", CommandKind::Mdi, Form::Block, "mdi L1 G0 X50. (enters a block; cycle_start L1 runs it)"},
+    {"mdi_clear", CommandKind::MdiClear, Form::Channel, "mdi_clear L1"},
+    {"hand_key", CommandKind::HandKey, Form::Block, "hand_key L1 T0101 (a key that is a start: the block runs at once)"},
     {"jog", CommandKind::Jog, Form::Jog, "jog A3+ 0.5s"},
     {"step", CommandKind::Step, Form::Step, "step A3- 0.01"},
     {"handwheel", CommandKind::Handwheel, Form::Wheel, "handwheel 1 A3 +120 or handwheel 1 L1 +120 (time of its program)"},
@@ -153,8 +155,8 @@ public:
             case Form::Answer: return answer();
             case Form::Select:
                 return select();
-            case Form::Mdi:
-                return mdi();
+            case Form::Block:
+                return block_of_text();
             case Form::Jog:
                 return jog();
             case Form::Step:
@@ -370,9 +372,9 @@ private:
         return Commands{command};
     }
 
-    Result<Commands> mdi() {
+    Result<Commands> block_of_text() {
         if (parts_.size() < 2) return shape();
-        Command command = command_of(CommandKind::Mdi);
+        Command command = command_of(word_.kind);
         command.channel = instance(parts_[0], 'L');
         if (!command.channel) return why();
         const std::string_view block_text = trimmed(rest_.substr(parts_[0].size()));

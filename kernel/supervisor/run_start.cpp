@@ -143,7 +143,7 @@ void RunSession::send_at(const Command& command, double t_s) {
     const auto ticks = static_cast<std::int64_t>(std::ceil(t_s / tick_s_ - 1e-6));
     const std::int64_t tick = origin_ + std::max<std::int64_t>(ticks, 0);
     sent_ticks_.insert(tick);
-    if (is(command.kind, CommandKind::CycleStart) || is(command.kind, CommandKind::Mdi) || is(command.kind, CommandKind::Restart)) starts_planned_.insert(tick);
+    if (is(command.kind, CommandKind::CycleStart) || is(command.kind, CommandKind::HandKey) || is(command.kind, CommandKind::Restart)) starts_planned_.insert(tick);
     if (is(command.kind, CommandKind::Restart)) restarts_[command.channel] = command.flags;
     controller_->send(command, tick);
 }
@@ -200,7 +200,7 @@ void RunSession::send_start() {
     std::vector<Planned> timed;
     if (wishes_.scenario) timed = wishes_.scenario->timed();
     const auto is_key = [](const Planned& planned) {
-        return !planned.action && planned.t_s <= 0.0 && !is(planned.command.kind, CommandKind::CycleStart) &&
+        return !planned.action && planned.t_s <= 0.0 && (!is(planned.command.kind, CommandKind::CycleStart) || (planned.command.flags & kStartByHand)) &&
                !is(planned.command.kind, CommandKind::FeedHold) && !is(planned.command.kind, CommandKind::Reset);
     };
     for (const Planned& planned : timed)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "ipc/image/commands.hpp"
 #include "ipc/image/segments.hpp"
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/signal_words.hpp"
@@ -38,6 +39,20 @@ bool matches(const Json& part, const Json& event) {
     }
     if (part.is_number()) return event.is_number() && std::abs(part.get<double>() - event.get<double>()) <= kTolerance;
     return part == event;
+}
+
+// Of a scenario, «mdi» stands for what the operator does until a block by hand runs (cli.md 8): the mode, the block alone in the
+// list, the start; all in one tick.
+std::vector<Command> spelled_out(const Command& command) {
+    const auto kind = static_cast<CommandKind>(command.kind);
+    if (kind != CommandKind::Mdi) return {command};
+    std::vector<Command> out(4, Command{});
+    for (Command& one : out) one.channel = command.channel;
+    out[0].kind = static_cast<std::uint32_t>(CommandKind::Mode), out[0].value = static_cast<double>(ChannelMode::Mdi);
+    out[1].kind = static_cast<std::uint32_t>(CommandKind::MdiClear);
+    out[2] = command;
+    out[3].kind = static_cast<std::uint32_t>(CommandKind::CycleStart), out[3].flags = kStartByHand, out[3].value = 1;
+    return out;
 }
 
 struct When {
@@ -129,11 +144,13 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
             diagnoses.push_back(std::move(diagnosis));
             continue;
         }
-        for (const Command& command : *commands) {
-            Planned one;
-            one.command = command;
-            planned.push_back(one);
-            if (command.kind == static_cast<std::uint32_t>(CommandKind::CycleStart)) parts->cycle_start = true;
+        for (const Command& pressed : *commands) {
+            if (pressed.kind == static_cast<std::uint32_t>(CommandKind::CycleStart)) parts->cycle_start = true;
+            for (const Command& command : spelled_out(pressed)) {
+                Planned one;
+                one.command = command;
+                planned.push_back(one);
+            }
         }
         if (stimulus.at_s) {
             for (Planned& one : planned) one.t_s += *stimulus.at_s, parts->timed.push_back(one);
@@ -199,7 +216,7 @@ std::set<unsigned> ScenarioPlayer::channels_that_read() const {
     std::set<unsigned> out;
     const auto look = [&](const Planned& planned) {
         const auto kind = static_cast<CommandKind>(planned.command.kind);
-        if (!planned.action && planned.command.channel && (kind == CommandKind::Select || kind == CommandKind::Mdi)) out.insert(planned.command.channel);
+        if (!planned.action && planned.command.channel && (kind == CommandKind::Select || kind == CommandKind::Mdi || kind == CommandKind::HandKey)) out.insert(planned.command.channel);
     };
     for (const Planned& planned : parts_->timed) look(planned);
     for (const When& when : parts_->whens)

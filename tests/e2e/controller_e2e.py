@@ -48,7 +48,9 @@ class Controller(LiveCase):
         at = lambda name: next(a for a in self.status()["axes"] if a["axis"] == name)["act"]
         self.wait_for(lambda: abs(at("A1") - 30) < 0.005 and abs(at("A2") - 20) < 0.005, 5, "the slides to stand at X60 Z20")
         self.assertEqual(self.status()["alarms"], 0)
+        self.press("mode", "L1=mdi")
         self.press("mdi", "L1", "G98 G0 X80.")         # a block by hand is in the machine's language
+        self.press("cycle_start", "L1")
         self.wait_for(lambda: abs(at("A1") - 40) < 0.005, 10, "the slide to stand at X80")
         plain = self.write("plain.nc", "G98 G0 X70. Z10.\nM30\n")
         self.press("mode", "L1=auto")
@@ -103,10 +105,11 @@ class Controller(LiveCase):
         self.press("machine_on")
         self.press("mode", "L1=mdi")
         self.press("mdi", "L1", "G97", "M3", "S500")
+        self.press("cycle_start", "L1")
         self.wait_for(lambda: abs(self.status()["spindles"][0]["speed"]) > 100, 10, "the spindle to turn")
 
         def told():
-            self.polyturn("press", "--instance", self.name, "mdi", "L1", "M11")   # the spindle's block may not have ended yet
+            self.polyturn("press", "--instance", self.name, "hand_key", "L1", "M11")   # the spindle's block may not have ended yet
             time.sleep(0.5)
             return [a for a in json.loads(self.polyturn("alarms", "--json", "--instance", self.name).out) if a.get("number") == "PT0539"]
         self.wait_for(told, 15, "the message of the PLC")
@@ -114,6 +117,26 @@ class Controller(LiveCase):
         self.assertIn("the chuck must not open while the spindle turns; cause: M11 before the spindle was stopped. Program M5 before M11.", alarm["text"])
         self.assertIn("патрон нельзя разжать при вращении шпинделя", alarm["builder"]["ru"]["text"])
         self.assertEqual(alarm["builder"]["cs"]["remedy"], "Naprogramujte M5 před M11.")
+
+    def test_a_block_by_hand_is_entered_and_moves_only_with_a_start(self):
+        self.start()
+        self.press("machine_on")
+        before = self.axis("A1")
+        self.press("mdi", "L1", "G98 G0 U10.")
+        self.wait_for(lambda: any(a.get("number") == "PT0536" for a in json.loads(self.polyturn("alarms", "--json", "--instance", self.name).out)), 10, "the refusal in automatic mode")
+        self.assertEqual((self.channel(1)["mode"], self.channel(1).get("mdi")), ("auto", None))
+        self.press("mode", "L1=mdi")
+        self.press("mdi", "L1", "G98 G0 U10.")
+        self.press("mdi", "L1", "M99")
+        time.sleep(0.5)
+        self.assertEqual((self.axis("A1"), self.channel(1)["state"]), (before, "reset"))
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: [line["state"] for line in self.channel(1)["mdi"]] == ["done", "done"], 10, "both blocks")
+        self.wait_for(lambda: abs(self.axis("A1") - before - 5) < 1e-6, 5, "the way")
+        self.assertEqual((self.channel(1)["parts"], self.channel(1)["mode"]), (0, "mdi"))
+        self.press("hand_key", "L1", "G0 U-10.")
+        self.wait_for(lambda: abs(self.axis("A1") - before) < 1e-6, 10, "the way back by a key that is a start")
+        self.assertEqual(self.stop(), 0)
 
     def test_selecting_a_job_enters_how_many_parts_it_wants(self):
         self.start()
@@ -191,6 +214,9 @@ class Controller(LiveCase):
         self.press("feed_hold", "L1")
         self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold")
         self.press("mdi", "L1", "G0", "X120.")
+        time.sleep(0.3)
+        self.assertEqual((self.channel(1)["state"], self.channel(1)["mdi"]), ("held", [{"block": "G0 X120.", "state": "entered"}]))   # entering moves nothing
+        self.press("cycle_start", "L1")
         self.wait_for(lambda: self.axis("A1") > 55, 10, "the block by hand")
         self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold again")
         self.press("retrace", "L1=on")

@@ -107,12 +107,13 @@ class OnAController(LiveCase):
         self.press("reference all")
         self.press(f"select L1={main}")
         self.press("mode L1=mdi")
-        self.wait_for(lambda: (self.press("mdi L1 M98 P9500"), self.pages())[1], 30, "the menu")   # subprograms beside the selected program
+        self.wait_for(lambda: (self.press("hand_key L1 M98 P9500"), self.pages())[1], 30, "the menu")   # subprograms beside the selected program
         self.press("answer L1 key=2")
         self.wait_for(lambda: any(p["title"] == "VAR: GRID" for p in self.pages()), 10, "the data page")
         self.press("answer L1 #500=3 #501=4 key=1")
         self.wait_for(lambda: self.state() == "ended", 10, "the end")
         self.press("mdi L1 #504=#5900*10+#500")
+        self.press("cycle_start L1")
         self.wait_for(lambda: self.state() == "ended", 10, "the end of the block")
 
     def test_a_reset_or_a_kill_leaves_nothing(self):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What of the fanuc language shows only while the machine runs: loops that wait for an input, programs of the B axis, interrupt
 macros, a thread that is picked up again. Real processes, virtual time."""
+import json
 import unittest
 
 from polyturn_runner import SHAFT, Case, LiveCase, read_trace
@@ -376,12 +377,10 @@ class PickedUpThread(LiveCase):
         self.press("machine_on")
         self.press("reference all")
         self.press("mode L1=mdi")
-        self.press("mdi L1 G98 G97 S60 M3")
-        self.press("cycle_start L1")
-        self.press("mdi L1 G0 Z-7.3")
-        self.press("cycle_start L1")
-        self.press("mdi L1 M5")
-        self.press("cycle_start L1")
+        for block in ("G98 G97 S60 M3", "G0 Z-7.3", "M5"):
+            self.press("mdi L1 " + block)
+        self.press("cycle_start L1")     # one start takes what was entered, line by line
+        self.wait_for(lambda: [line["state"] for line in json.loads(self.polyturn("status", "--json", "--instance", self.name).out)["channels"][0].get("mdi", [])] == ["done"] * 3, 20, "the three blocks")
         self.press("teach_thread L1")
         angle, at = self.parameter("PT_THREAD_ANGLE L1"), self.parameter("PT_THREAD_AT L1")
         self.assertEqual(self.parameter("PT_THREAD_PICKUP L1"), 1)

@@ -54,6 +54,7 @@ class Routes(Case):
         self.press("mode", "L2=mdi")
         self.wait(lambda: self.channel(2)["state"] != "running", "MDI")
         self.press("mdi", "L2", text)
+        self.press("cycle_start", "L2")
 
     def process(self):
         return next(pid for pid in descendants(self.running.pid) if os.path.basename((command_line(pid) or [""])[0]) == "polyturn-channel" and "2" in command_line(pid))

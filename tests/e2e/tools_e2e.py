@@ -102,6 +102,11 @@ class Tools(LiveCase):
         self.assertAlmostEqual(self.tool(1)["counter"], counted, places=9)
         self.assertEqual(self.stop(), 0)
 
+    def by_hand(self, channel, block):
+        self.do("press", "mode", channel + "=mdi")
+        self.do("press", "mdi", channel, block)
+        self.do("press", "cycle_start", channel)
+
     def test_a_place_is_called_with_the_code_of_n2924(self):
         self.start("N2924 L1=66")
         self.do("press", "machine_on")
@@ -117,7 +122,7 @@ class Tools(LiveCase):
         self.do("press", "machine_on")
         self.do("tools", "add", "name=DRILL", "type=5", "h=4", "outline=X -60:0 Z -5:5")
         self.do("tools", "load", "1", "1", "3")
-        self.do("press", "mdi", "L2", "G0 X200. Z0.")       # the other turret stands below the bar
+        self.by_hand("L2", "G0 X200. Z0.")       # the other turret stands below the bar
         self.wait_for(lambda: self.channel(2)["state"] == "ended", 10, "the other turret")
         program = "T0504\nG94 G0 X200. Z50.\nG1 Z0. F6000.\nG0 Z50.\nM30\n"
         self.cycle(program)
@@ -176,7 +181,7 @@ class Tools(LiveCase):
         self.start("N1412=3")
         self.do("press", "machine_on")
         self.do("offsets", "set", "L2", "3", "geometry", "Z=4")
-        self.do("press", "mdi", "L2", "T0003 G0 Z10.")
+        self.by_hand("L2", "T0003 G0 Z10.")
         self.wait_for(lambda: abs(next(a for a in self.ask("status")["axes"] if a["axis"] == "A4")["cmd"] - 14) < 1e-6, 10, "the way with the offset")
         self.assertEqual(self.ask("offsets", "list", "L1")["offsets"][2]["geometry"]["Z"], 4)
         self.assertEqual(self.stop(), 0)
@@ -184,7 +189,7 @@ class Tools(LiveCase):
     def test_the_status_shows_the_tool_that_n2901_tsp_names(self):
         self.start("N2901 L2=10000000")
         self.do("press", "machine_on")
-        self.do("press", "mdi", "L1", "T0500")
+        self.by_hand("L1", "T0500")
         self.wait_for(lambda: self.channel().get("active_tool") == 5, 10, "CP_ACTT")
         self.do("set", "CP_ACTT L2=7")
         self.do("set", "SP_ACTT S4=9")

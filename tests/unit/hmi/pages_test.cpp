@@ -17,6 +17,7 @@ protected:
 };
 
 TEST_F(PageTasks, TheSpindleIsTurnedByHand) {
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
     Operator hand(*window);
     hand.screen("manual");
     hand.soft("Wheel, tool, transfer");
@@ -28,7 +29,12 @@ TEST_F(PageTasks, TheSpindleIsTurnedByHand) {
     frames(*window, 300);
     EXPECT_LT(std::abs(live().status().spindles[0].speed), 1) << "one press must not turn it";
     hand.soft(name);
+    EXPECT_TRUE(standsOn(window->ownSheets(), "choose Jog or MDI")) << "no key changes the mode";
+    ASSERT_TRUE(g_controller->press("mode L1=jog"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Jog; }));
+    hand.soft(name), hand.soft(name);
     ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100; }));
+    EXPECT_EQ(static_cast<ChannelMode>(live().channel(1).mode), ChannelMode::Jog);
     ASSERT_TRUE(waitFor([&] { return page.spindleBlock() == "M5" && state(1) != ChannelState::Running; }));
     hand.soft("Spindle stop");
     EXPECT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) < 1; }));
@@ -68,6 +74,7 @@ TEST_F(PageTasks, AToolIsCalledFromItsStation) {
     HandPage& page = screenOf<Manual>().hand();
     hand.touchCell(page.tools(), 4, 0);          // station 5
     EXPECT_EQ(page.toolBlock(), "T0505");
+    ASSERT_TRUE(g_controller->press("mode L1=jog"));
     hand.soft("Call T0505");
     frames(*window, 200);
     EXPECT_FALSE(live().view(1).known && live().view(1).picture.tool == 5) << "one press must not turn the turret";
@@ -81,6 +88,7 @@ TEST_F(PageTasks, PartTransferGoesStepByStep) {
     hand.screen("manual");
     hand.soft("Wheel, tool, transfer");
     HandPage& page = screenOf<Manual>().hand();
+    ASSERT_TRUE(g_controller->press("mode L1=jog L2=jog"));
     const auto choose = [&](int row) { hand.touchCell(page.steps(), row, 1); };
     const auto step = [&](int row) {
         choose(row);
@@ -138,13 +146,13 @@ TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
 // What the PLC says of its machine, in the language of the screens: here the built-in one's first message.
 TEST_F(PageTasks, AMessageOfTheMachinesBuilderIsReadInTheReadersLanguage) {
     for (const char* key : {"reset", "mode L1=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
-    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100 || (g_controller->press("mdi L1 G97 M3 S500"), QTest::qWait(500), false); }));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100 || (g_controller->press("hand_key L1 G97 M3 S500"), QTest::qWait(500), false); }));
     const auto told = [&]() -> const AlarmEntry* {
         for (const AlarmEntry& one : window->desk().alarms.all())
             if (one.told && one.text.contains("the chuck must not open while the spindle turns")) return &one;
         return nullptr;
     };
-    ASSERT_TRUE(waitFor([&] { return told() || (g_controller->press("mdi L1 M11"), QTest::qWait(500), false); }));
+    ASSERT_TRUE(waitFor([&] { return told() || (g_controller->press("hand_key L1 M11"), QTest::qWait(500), false); }));
     EXPECT_EQ(told()->remedy, "Program M5 before M11.");
     const auto at = told() - window->desk().alarms.all().data();
     window->setTongue(Tongue::Russian);
@@ -153,13 +161,13 @@ TEST_F(PageTasks, AMessageOfTheMachinesBuilderIsReadInTheReadersLanguage) {
     EXPECT_TRUE(entry.text.contains(QString::fromUtf8("патрон нельзя разжать при вращении шпинделя; причина: M11 до останова шпинделя"))) << entry.text.toStdString();
     EXPECT_EQ(entry.remedy, QString::fromUtf8("Запрограммируйте M5 перед M11."));
     window->setTongue(Tongue::English);
-    for (const char* key : {"reset", "mode L1=mdi", "mdi L1 M5", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
+    for (const char* key : {"reset", "mode L1=mdi", "hand_key L1 M5", "reset", "mode L1=auto"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
 }
 
 // Which spindle follows which, and since which M code of which channel.
 TEST_F(PageTasks, ACouplingTellsSinceWhichCode) {
     for (const char* key : {"reset", "mode L2=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
-    ASSERT_TRUE(waitFor([&] { return live().status().spindles[1].master == 1 || (g_controller->press("mdi L2 M60"), QTest::qWait(500), false); }));
+    ASSERT_TRUE(waitFor([&] { return live().status().spindles[1].master == 1 || (g_controller->press("hand_key L2 M60"), QTest::qWait(500), false); }));
     Operator hand(*window);
     hand.screen("diagnosis");
     hand.soft("Couplings");
@@ -167,7 +175,7 @@ TEST_F(PageTasks, ACouplingTellsSinceWhichCode) {
     const auto cell = [&](int column) { return table.rows() ? table.cell(0, column).text : QString(); };
     EXPECT_TRUE(waitFor([&] { return cell(0) == "S2" && cell(1) == "S1"; })) << cell(0).toStdString();
     EXPECT_TRUE(cell(3).startsWith("M60 L2")) << cell(3).toStdString();
-    for (const char* key : {"mdi L2 M62", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
+    for (const char* key : {"hand_key L2 M62", "reset", "mode L2=auto"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
 }
 
 TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {

@@ -163,7 +163,7 @@ TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
     ASSERT_TRUE(g_controller->run({"params", "set", "F3104 L1=01000000", "--instance", g_controller->name}));   // DAL: positions are without the offset
     ASSERT_TRUE(g_controller->run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
-    ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
+    ASSERT_TRUE(g_controller->press("hand_key L1 T0909"));
     ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }));
     ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }));
     frames(*window, 100);
@@ -186,7 +186,7 @@ TEST_F(Positions, SettersAreReadByTheirKeys) {
     ASSERT_TRUE(run({"params", "set", "N3012 L1=5", "N0209 L1=12.5", "N0319 L1=600", "N3014 L1=6"}));
     ASSERT_TRUE(run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3"}));
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
-    ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
+    ASSERT_TRUE(g_controller->press("hand_key L1 T0909"));
     ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; })) << live().view(1).picture.geometry;
     ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }));
     ASSERT_TRUE(g_controller->press("mode L1=jog"));

@@ -116,6 +116,9 @@ TEST(Hold, RunsABlockByHandAndStaysHeld) {
     const double left_at = rig.position(1);
     rig.command(CommandKind::Mdi, 1, 1, 0, 0, 0, "G0 Z5");
     rig.run(3);
+    EXPECT_FALSE(rig.asked()) << "entering is not starting";
+    rig.start(1);
+    rig.run(3);
     ASSERT_TRUE(rig.asked());
     rig.answer(ResumeAnswer::GoesBack);
     rig.run(3);

@@ -49,6 +49,8 @@ constexpr Row kPress[] = {
     {"select L2=prog/O1.nc", CommandKind::Select, 2, 0, 0, 0, "prog/O1.nc"},
     {"select L2=with blank.nc", CommandKind::Select, 2, 0, 0, 0, "with blank.nc"},
     {"mdi L1 G0 X50.", CommandKind::Mdi, 1, 0, 0, 0, "G0 X50."},
+    {"mdi_clear L2", CommandKind::MdiClear, 2, 0, 0, 0, ""},
+    {"hand_key L1 T0101", CommandKind::HandKey, 1, 0, 0, 0, "T0101"},
     {"jog A3+ 0.5s", CommandKind::Jog, 0, 3, 0.5, 0, ""},
     {"jog A1- 2", CommandKind::Jog, 0, 1, -2, 0, ""},
     {"step A3- 0.01", CommandKind::Step, 0, 3, -0.01, 0, ""},
