@@ -271,7 +271,7 @@ private:
 
     void note_alarm(Interpreter& interpreter, const std::string& line) {
         interpreter.alarm_to_tell = line;
-        if (line.find("\"severity\":\"warning\"") != std::string::npos) return;
+        if (line.find("\"severity\":\"error\"") == std::string::npos) return;
         interpreter.alarmed = true;
         ++alarms_;
     }
