@@ -196,7 +196,8 @@ private:
         }
         at_[l] += step;
         r.length = 0.1 * std::sqrt(r.axis_count);
-        const double part = 1 / std::sqrt(r.axis_count);
+        // A master of a superimposed axis is no faster than half of what that can do, and a channel knows it.
+        const double part = (path_axes_ < axes_each_ ? 2.0 : 1.0) / std::sqrt(r.axis_count);
         r.v_max = kVelocity / part;
         r.a_max = kAcceleration / part;
         r.j_max = kJerk / part;
