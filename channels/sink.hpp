@@ -228,6 +228,7 @@ struct Interrupts {
     bool by_level = false;          // again and again while the signal is on; otherwise at its edge
     bool mint = false;              // the signal is MINT, not UINT
     std::uint32_t inputs = 0;       // bit n: INT<n+1>; then no other signal counts
+    bool wires = false;             // and the program's input n+1 itself (#1000 and on, $A_IN[n+1]), wherever it comes from
 };
 
 struct DialoguePage;

@@ -201,7 +201,8 @@ void RecordSink::message(std::string_view text, const BlockContext& at) {
 void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at) {
     PathRecord r = event(RecordKind::Interrupts, at, 0);
     r.code = interrupts.on;
-    r.mask = (interrupts.at_block_end ? kInterruptAtBlockEnd : 0u) | (interrupts.by_level ? kInterruptByLevel : 0u) | (interrupts.mint ? kInterruptByMint : 0u) | (interrupts.inputs << kInterruptInput);
+    r.mask = (interrupts.at_block_end ? kInterruptAtBlockEnd : 0u) | (interrupts.by_level ? kInterruptByLevel : 0u) | (interrupts.mint ? kInterruptByMint : 0u) | (interrupts.wires ? kInterruptByWires : 0u);
+    r.value = interrupts.inputs;
     push(r, false, false);
 }
 

@@ -24,6 +24,7 @@ void Interpreter::arm_interrupts() {
         if (!routine.enabled) continue;
         told.on = true;
         told.inputs |= 1u << (input - 1);
+        told.wires = true;
         at_once = at_once || !routine.at_block_end;
     }
     told.at_block_end = !at_once;

@@ -4,11 +4,11 @@
 
 namespace polyturn {
 
-// In the mask of an Interrupts record: bit kInterruptInput + n - 1 watches INT<n> (Fagor INT1 to INT4). The number of the
-// input that came stands in the event's record above bit 0.
-inline constexpr unsigned kInterruptInputs = 4;
-inline constexpr unsigned kInterruptInput = 8;
-inline constexpr std::uint32_t kInterruptInputMask = ((1u << kInterruptInputs) - 1u) << kInterruptInput;
+// The value of an Interrupts record is the whole number whose bit n - 1 watches input n; 0: UINT or MINT as the mask says. Inputs 1
+// to 4 are the signals INT1 to INT4; with kInterruptByWires in the mask input n is the program's input n as well (#999 + n,
+// $A_IN[n]): a wire of the machine or a bit of CP_UIN. The number of the input that came stands in the event's record above bit 0.
+inline constexpr unsigned kInterruptInputs = 32;
+inline constexpr std::uint32_t kInterruptByWires = 1u << 3;
 
 // In the record of an Interrupt event: the signal has come while a block runs that is driven to its end first; value: the first
 // block behind it. The channel runs the macro statements of its interrupt program until there, answers as to a question, and

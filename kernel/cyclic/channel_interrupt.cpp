@@ -24,31 +24,35 @@ void hand_over_event(Core& core, unsigned channel, const PathRecord& r) noexcept
 
 }  // namespace
 
-// The watched signals that are on: bit 0 the only one, or bit n INT<n+1>.
+// The watched signals that are on: bit 0 the only one, or bit n input n + 1.
 std::uint32_t ChannelRunner::interrupt_signals() noexcept {
-    if (!(interrupt_bits_ & kInterruptInputMask)) return core_.signals.plc((interrupt_bits_ & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+    if (!interrupt_inputs_) return core_.signals.plc((interrupt_bits_ & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
     std::uint32_t on = 0;
     const auto look = [&](unsigned n, PlcSignal signal) {
-        if ((interrupt_bits_ >> (kInterruptInput + n) & 1u) && core_.signals.plc(signal(number_))) on |= 1u << n;
+        if (core_.signals.plc(signal(number_))) on |= 1u << n;
     };
     look(0, signals::int1);
     look(1, signals::int2);
     look(2, signals::int3);
     look(3, signals::int4);
-    return on;
+    if (interrupt_bits_ & kInterruptByWires) {
+        on |= static_cast<std::uint32_t>(core_.signals.plc(signals::cp_uin(number_)));
+        for (unsigned n = 0; n < kInterruptInputs; ++n)
+            if (core_.signals.input(n)) on |= 1u << n;
+    }
+    return on & interrupt_inputs_;
 }
 
 void ChannelRunner::watch_interrupt() noexcept {
     (void)obey_ahead();
     if (!interrupts_on_) return;
     const std::uint32_t signals_now = interrupt_signals();
-    const bool now = signals_now != 0;
-    const bool came = interrupt_bits_ & kInterruptByLevel ? now : now && !interrupt_signal_;
-    interrupt_signal_ = now;
+    const std::uint32_t came = interrupt_bits_ & kInterruptByLevel ? signals_now : signals_now & ~interrupt_seen_;   // one that stays on hides no other
+    interrupt_seen_ = signals_now;
     if (!came || state_ != ChannelState::Running) return;
-    if (!interrupt_due_) interrupt_input_ = interrupt_bits_ & kInterruptInputMask ? static_cast<unsigned>(__builtin_ctz(signals_now)) + 1u : 0u;
+    if (!interrupt_due_) interrupt_input_ = interrupt_inputs_ ? static_cast<unsigned>(__builtin_ctz(came)) + 1u : 0u;
     const bool first = !std::exchange(interrupt_due_, true);
-    if (first && (interrupt_bits_ & kInterruptAtBlockEnd) && !(interrupt_bits_ & (kInterruptByMint | kInterruptInputMask))) announce_interrupt();
+    if (first && (interrupt_bits_ & kInterruptAtBlockEnd) && !interrupt_inputs_ && !(interrupt_bits_ & kInterruptByMint)) announce_interrupt();
 }
 
 // Macro statements of the interrupt program act at once though the block is driven to its end (fanuc_lathe 6.14): the channel

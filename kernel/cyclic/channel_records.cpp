@@ -127,10 +127,11 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             return true;
         case RecordKind::Interrupts:
             interrupt_bits_ = r.mask;
+            interrupt_inputs_ = r.value > 0 && r.value < 0x1p32 ? static_cast<std::uint32_t>(r.value) : 0u;
             interrupts_on_ = r.code != 0;
             interrupt_due_ = interrupt_due_ && ahead_ != kNoRecord;   // the channel is in the interrupt program already
             // An edge counts from here on; a level that is there already counts at once.
-            interrupt_signal_ = interrupt_signals() != 0;
+            interrupt_seen_ = interrupt_signals();
             return true;
         case RecordKind::Flag:
             flag(r);

@@ -396,8 +396,8 @@ private:
     bool group_ended_ = false;             // kControlNoSingleBlock has ended in single block: the path is to rest here
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false, torque_given_ = false;
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
-    bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
-    std::uint32_t interrupt_bits_ = 0;
+    bool interrupts_on_ = false, interrupt_due_ = false;
+    std::uint32_t interrupt_bits_ = 0, interrupt_inputs_ = 0, interrupt_seen_ = 0;   // InterruptBit; bit n: input n + 1; those that were on at the last tick
     // The channel was told ahead: the question it answers (0 none), and the first record that may act at once.
     std::uint64_t ahead_asked_ = 0, ahead_ = kNoRecord;
     std::uint32_t control_ = 0;            // ProgramControl

@@ -106,6 +106,15 @@ class SinumerikRun(Case):
                 self.assertAlmostEqual(value["R2"][0], 20 + x, places=3)
                 self.assertAlmostEqual(value["R3"][0], stands + z, delta=1.0)
 
+    def test_every_input_interrupts(self):   # part 3, 7.12: SETINT(n) hears $A_IN[n], and INT1 to INT4 as ever
+        self.write("UP.SPF", "R1=R1+1 R3=$AA_IM[Z]\nM17\n")
+        for n, signal in ((1, "INT1 L1"), (2, "$A_IN[2] L1"), (5, "$A_IN[5] L1"), (32, "$A_IN[32] L1")):
+            with self.subTest(signal):
+                scenario = "".join(f'[[at]]\nwhen = {{ ev = "aux", code = "M77" }}\nafter = {after}\nset = "{signal}={level}"\n' for after, level in ((2.0, 1), (2.2, 0)))
+                done = self.run_one(HEAD + f"SETINT({n}) PRIO=1 UP\nN10 G0 Z30\nM77\nN20 G1 Z-30 F600\nM30\n", scenario)
+                self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1], done.said())
+                self.assertAlmostEqual(done.of("variable", name="R3")[0]["value"], 10, delta=1.0, msg=done.said())
+
     def lift_in_n40(self, tool, status=0):
         """N30 goes up a shoulder in X+, N40 turns behind it in Z-: the signal comes there, 5 s long."""
         self.write("UP.SPF", "R1=$AC_LIFTFAST R2=$AA_IM[X]\nM17\n")
