@@ -96,6 +96,7 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_switches(report);
     config::check_kinds(report);
     config::check_together(report);
+    config::check_effects(report);
     return std::move(report.diagnoses);
 }
 

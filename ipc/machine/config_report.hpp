@@ -52,5 +52,6 @@ void check_values(Report& report);
 void check_switches(Report& report);
 void check_kinds(Report& report);
 void check_together(Report& report);
+void check_effects(Report& report);
 
 }  // namespace polyturn::config

@@ -281,7 +281,7 @@ void AxisUnit::supervise(double tick_s) noexcept {
     const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
     if (not_on_s_ > 0) return;   // nothing holds it yet
     const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };
-    if (servo.error_absolute > 0 && following > servo.error_absolute) return fault(Fault::FollowingError, error_);
+    if (servo.error_absolute > 0 && following > servo.error_absolute * loop_.lag_scale()) return fault(Fault::FollowingError, error_);
     if (loop_.dual_differs()) return fault(Fault::DualDifference, loop_.model_error());
     if (loop_.standing() && servo.error_standing > 0 && model > servo.error_standing) return fault(Fault::StandstillError, loop_.model_error());
     if (!loop_.standing() && servo.error_moving > 0 && model > servo.error_moving) return fault(Fault::ModelError, loop_.model_error());

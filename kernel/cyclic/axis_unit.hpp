@@ -42,7 +42,10 @@ public:
     double measured() const noexcept { return loop_.position(); } // at the start of the last exchanged tick
     double error() const noexcept { return error_; }
     bool moving() const noexcept { return moving_; }
-    bool in_position() const noexcept { return !moving_ && still_ticks_ > 1 && loop_.owed() <= config_.servo.in_position && loop_.owed() >= -config_.servo.in_position && error_ <= config_.servo.in_position && error_ >= -config_.servo.in_position; }
+    bool in_position() const noexcept {
+        const double window = config_.servo.in_position * loop_.lag_scale();
+        return !moving_ && still_ticks_ > 1 && loop_.owed() <= window && loop_.owed() >= -window && error_ <= window && error_ >= -window;
+    }
     bool faulted() const noexcept { return fault_ != Fault::None; }
     Fault fault() const noexcept { return fault_; }
     double fault_value() const noexcept { return fault_value_; }
@@ -54,6 +57,9 @@ public:
     double output_speed() const noexcept { return output_; }
     // What is owed after machine on with follow-up (N0514 FUP): the way back to the kept command; 0 none. Read once.
     double take_way_back() noexcept;
+    // It leads a spindle into a thread, or no more (PositionLoop::tap_with).
+    void tap_with(double gain, bool feedforward) noexcept { loop_.tap_with(gain, feedforward); }
+    void tap_like(const AxisUnit& master) noexcept { loop_.tap_like(master.loop_); }   // a slave lags with its master
 
     bool referenced = false;
     bool detached = false;                                 // AN_DETCHA: does not exist until it is attached again

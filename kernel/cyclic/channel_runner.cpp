@@ -307,7 +307,7 @@ void ChannelRunner::drive() noexcept {
         input.rapid_override *= std::max(wheel_rate_, 0.0);
     }
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
-    else if (awaited_spindle()) input.feed_override = 0;
+    else if (awaited_spindle()) input.speed_ceiling = 0;   // a tap too, whose override is locked
     step_ = planner_->tick(input);
     report_progress();
     if (skipping_ && planner_->at_rest()) end_skipped_move();
@@ -381,6 +381,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
     if ((r.flags & kTapping) && !place_spindle(r, s)) return;
     SlotVector position;
     if (!drives_at(r, kinematics_of(r), s, position)) return leave_off_path(kMaxAxes);
+    const double tap_gain = tap_gain_of(r);
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (core_.config.axes[r.axis[i]].on_spindle && position[i] != core_.axes[r.axis[i]].command() && !core_.shared_axes[r.axis[i]].has_drive) {
             raise(Alarm::AxisIsSpindle, name_of('A', r.axis[i]).view());
@@ -390,6 +391,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         axis.owner = number_;
         placed_.add(r.axis[i]);
         axis.rapid = (r.flags & kRapid) != 0;
+        axis.tap_with(tap_gain, tap_gain > 0 && r.value != 0);
         if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached && r.axis[i] != cut_axis_) {
             if (!axis.referenced && !interrupted_ && core_.must_be_referenced(r.axis[i]) && std::fabs(position[i] - axis.command()) > kMoves) {   // lost on the way
                 line_ = r.line, block_ = r.block, file_ = r.file;

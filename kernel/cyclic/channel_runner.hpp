@@ -302,6 +302,7 @@ private:
     bool ready_to_go_on() noexcept;
     void begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept;
     void watch_standstill(const PathRecord* running) noexcept;
+    double tap_gain_of(const PathRecord& r) const noexcept;
     void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
     bool place_spindle(const PathRecord& r, double s) noexcept;
     std::uint32_t awaited_spindle() const noexcept;

@@ -18,12 +18,13 @@ bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
 }
 
 // A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it did not, whichever channel it
-// stood in: a feed per revolution waits for the spindle that it follows. One whose speed changes all the time (constant surface
+// stood in: a feed per revolution waits for the spindle that it follows. A floating tap waits in any case: at the bottom the spindle
+// turns on inward until its ramp has reversed it, and Z that left before would pull the tap out of its holder. One whose speed changes all the time (constant surface
 // speed of another channel) is only followed. 0: nothing is waited for.
 std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
-    if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return 0;
+    if (!(core_.config.channels[index_].feed_waits_for_spindle || (control_ & kControlOwnSpindleOverride)) || !planner_->at_rest() || cursor_ >= planner_->next_record()) return 0;
     const PathRecord& r = record(cursor_);
-    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping | kOverrideLocked))) return 0;
+    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping))) return 0;
     const bool follows = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution && r.spindle != 0;
     const std::uint32_t number = follows ? r.spindle : core_.selected_spindle(number_);
     if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) return 0;

@@ -18,6 +18,13 @@ void ChannelRunner::limit_tapping(const PathRecord& r, PlannedRecord& planned) c
     if (range.speed_max > 0) planned.v_max = std::min(planned.v_max, range.speed_max / 60.0 * way);
 }
 
+// 1/s that spindle and axes of a tapping move have in common (N1532); 0: it is none.
+double ChannelRunner::tap_gain_of(const PathRecord& r) const noexcept {
+    if (!(r.flags & kTapping)) return 0.0;
+    const std::uint32_t s = r.axis[r.axis_count] - static_cast<std::uint32_t>(kMaxAxes);
+    return s < kMaxSpindles ? core_.spindles[s].range().tap_gain : 0.0;
+}
+
 // The spindle's share of a tapping move; false: it has no closed loop.
 bool ChannelRunner::place_spindle(const PathRecord& r, double s) noexcept {
     const std::uint32_t number = r.axis[r.axis_count] - static_cast<std::uint32_t>(kMaxAxes);

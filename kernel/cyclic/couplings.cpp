@@ -297,6 +297,7 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
         if (link.gantry) by.own_ref += gantry_pull(core, link, a);
         axis.couple(by.own_ref + by.sign * (master - by.master_ref), 0);
         axis.rapid = core.axes[by.master - 1].rapid;
+        axis.tap_like(core.axes[by.master - 1]);
         pull_after_master(core, link, a);
     } else {
         axis.couple(axis.own_target(), by.sign * (master - by.master_ref));

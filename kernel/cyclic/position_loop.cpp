@@ -95,12 +95,12 @@ double PositionLoop::smoothed(double target) noexcept {
 
 double PositionLoop::speed(double target, bool rapid) noexcept {
     target = smoothed(target);
-    fed_forward_ = config_.feedforward > 0 && (!rapid || config_.feedforward_in_rapid);
+    fed_forward_ = config_.feedforward > 0 && (tap_gain_ > 0 ? tap_feedforward_ : !rapid || config_.feedforward_in_rapid);
     double e = error_ + config_.offset + drift_;
     if (e != 0 && std::fabs(e) <= config_.threshold) e = std::copysign(config_.threshold, e);
     const double p1 = low_pass(p1_, target, tick_s_, config_.filter_s);
     const double v1 = (p1 - p1_) / tick_s_, a1 = (v1 - v1_) / tick_s_;
-    const double ordinary = config_.gain * e;
+    const double ordinary = (tap_gain_ > 0 ? tap_gain_ : config_.gain) * e;
     double out = ordinary;
     if (fed_forward_) out += config_.feedforward * (v1 + lag_s_ * a1);
     out += boosts(target, ordinary);
@@ -113,7 +113,7 @@ double PositionLoop::speed(double target, bool rapid) noexcept {
                                              : fed_forward_ && config_.equal_s > 0 ? p2_ : p1_;
     // The loop's lag as far as feed-forward leaves it, and the drive's own where nothing makes up for it.
     const double left = 1.0 - (fed_forward_ ? config_.feedforward : 0.0);
-    filtered_ = low_pass(filtered_, command_, tick_s_, config_.model_s * left);
+    filtered_ = low_pass(filtered_, command_, tick_s_, config_.model_s * lag_scale() * left);
     model_ = low_pass(model_, filtered_, tick_s_, fed_forward_ ? 0.0 : lag_s_);
     command_ = target;
     p1_ = p1;

@@ -29,6 +29,11 @@ public:
 
     // The speed for the tick in which the command goes to `target`. rapid: feed-forward in rapid is a choice of its own.
     [[nodiscard]] double speed(double target, bool rapid) noexcept;
+    // Rigid tapping: the loop lags as the spindle's does, with the gain that both have then (N1532), and with feed-forward only where
+    // N1503 RFF leaves it; 0: as the axis' own parameters say. Changed at rest (nct_parameters_part1 16.1, 16.4).
+    void tap_with(double gain, bool feedforward) noexcept { tap_gain_ = gain, tap_feedforward_ = feedforward; }
+    void tap_like(const PositionLoop& other) noexcept { tap_gain_ = other.tap_gain_, tap_feedforward_ = other.tap_feedforward_; }
+    double lag_scale() const noexcept { return tap_gain_ > 0 && config_.gain > 0 ? config_.gain / tap_gain_ : 1.0; }   // how much longer it lags
     // What was measured at the beginning of this tick: at the motor or, with a scale of its own, at the slide.
     void measured(double motor) noexcept;
     void measured_direct(double motor, double slide) noexcept;   // dual loop (7.9)
@@ -65,11 +70,12 @@ private:
     std::uint32_t past_at_ = 0, mean_of_ = 1;
     double owed_ = 0;
     double slide_ = 0, error_ = 0, filtered_ = 0, model_ = 0, drift_ = 0, correction_ = 0;
+    double tap_gain_ = 0;                // 1/s; 0: not tapping
     double play_ = 0;                    // present share of N0523
     std::int32_t direction_ = 0;         // of the last motion
     std::int64_t still_ticks_ = 2, standing_ticks_ = 200;
     Boost reversal_, start_;
-    bool fed_forward_ = false, dual_differs_ = false;
+    bool fed_forward_ = false, dual_differs_ = false, tap_feedforward_ = false;
 };
 
 }  // namespace polyturn::kernel
