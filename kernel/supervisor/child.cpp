@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -69,11 +70,13 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
     if (pipe2(told, O_CLOEXEC) != 0) return fault("pipe");
     if (pipes.input && pipe2(in, O_CLOEXEC) != 0) return fault("pipe");
     if (pipes.output && pipe2(out, O_CLOEXEC) != 0) return fault("pipe");
+    static const int usual = getpriority(PRIO_PROCESS, 0);   // the first is started before the loop
     const pid_t parent = getpid(), pid = fork();
     if (pid < 0) return fault("fork");
     if (pid == 0) {
         if (!in_order) prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent) _exit(127);  // the parent died before prctl
+        (void)setpriority(PRIO_PROCESS, 0, usual);   // the supervisor's loop may have raised its own
         setpgid(0, 0);                        // Ctrl-C is for the supervisor, which stops its children in order
         if (pipes.input) dup2(in[0], 0);
         if (pipes.output) dup2(out[1], 1);

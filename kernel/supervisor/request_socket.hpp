@@ -42,7 +42,7 @@ class RequestServer {
 public:
     static constexpr std::size_t kConnections = 64, kOfGuest = 8, kKeptForOwner = 16, kKeptForRoot = 8;
     static constexpr std::size_t kMostUnread = 256 * 1024, kMostLines = 64;
-    static constexpr double kRate = 1000, kBurst = 1000, kStopRate = 200, kStopBurst = 100;
+    static constexpr double kRate = 250, kBurst = 500, kStopRate = 200, kStopBurst = 100;
     static constexpr std::chrono::seconds kUnreadPatience{5}, kOffered{5};
     static constexpr std::chrono::milliseconds kTurn{2};
 

@@ -2,6 +2,7 @@
 #include "kernel/supervisor/start_session.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -33,6 +34,7 @@ constexpr std::size_t kMostDeaths = 5;  // of one process within kDeathWindow: t
 constexpr auto kDeathWindow = std::chrono::seconds(30);
 constexpr int kEndPatience_ms = 5'000;                  // then the kernel is killed, and so is the store (docs: operator, "end")
 constexpr auto kLastWords = std::chrono::seconds(2);    // for the store, before it is asked to end
+constexpr int kNice = -10;                              // of this thread alone
 constexpr auto kEventsAtOnce = std::chrono::milliseconds(2);
 
 void tell_words(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
@@ -130,6 +132,8 @@ int StartSession::run() {
 // Nothing in here waits: not for a process, not for a file, not for room in a ring (kernel/supervisor/README.md). serve() is where it rests.
 void StartSession::loop() {
     const RequestServer::Handler handler = [this](RequestServer::Client client, const Request& request) { return handle(client, request); };
+    // Feed hold comes through here: in front of what else the computer has to do, where that is allowed (a service: LimitNICE).
+    (void)setpriority(PRIO_PROCESS, 0, kNice);
     while (!end_requested() && !ask_to_end_) {
         controller_->beat();
         controller_->watch([this](std::size_t slot, int status) { process_died(slot, status); });

@@ -3,11 +3,11 @@
 and of wrong lines, selects without end, wrong log-ins, dozens of connections, clients that never read, and at last a store that stands
 still with an import under way.
 
-How it is judged on a computer that has other things to do: beside the controller a process that does nothing but send back what it gets
-is asked at the same moments. What it needs is the computer's, not the controller's; so is what a stop needs before anybody misbehaves. The
-99th percentile of the stops may be 10 ms above the longer of the two 99th percentiles, the longest stop 10 ms above the longest of them,
-or a tenth of a second (before the repair: 4 to 25 s). All figures are printed. STOP_ANSWERS says how many stops each phase has (default
-300; 10000 for the whole proof)."""
+How it is judged on a computer that has other things to do: the operating system tells how long the supervisor, and this program, stood
+ready without a processor while a stop was under way (/proc/PID/schedstat). That is the computer's; what is left is the controller's, and
+its 99th percentile is at most 10 ms, the longest 50 ms (before the repair: 4 to 25 s). A process that does nothing but send back what it
+gets is asked at the same moments, to be looked at beside it. All figures are printed. STOP_ANSWERS says how many stops each phase has
+(default 300; 10000 for the whole proof)."""
 import json
 import multiprocessing
 import os
@@ -95,6 +95,14 @@ def echo(one):
         one.send(got)
 
 
+def without_a_processor(pid):
+    """Seconds that its main thread has stood ready so far."""
+    try:
+        return int(open(f"/proc/{pid}/schedstat").read().split()[1]) * 1e-9
+    except (OSError, IndexError):
+        return 0.0   # this computer does not tell
+
+
 def percentiles(seconds):
     ordered = sorted(seconds)
     return {name: ordered[min(len(ordered) - 1, int(len(ordered) * part))] * 1e3 for name, part in (("median", 0.5), ("90 %", 0.9), ("99 %", 0.99), ("longest", 1.0))}
@@ -120,7 +128,7 @@ class StopAnswer(LiveCase):
         here, there = socket.socketpair()
         self.misbehave(echo, there)
         kept = connect(self.name)
-        stops, computer = [], []
+        stops, computer, own = [], [], []
         for i in range(COUNT):
             begin = time.monotonic()
             here.send(b"x")
@@ -128,24 +136,26 @@ class StopAnswer(LiveCase):
             computer.append(time.monotonic() - begin)
             words = ("feed_hold", "emergency_stop")[i % 2]
             request = json.dumps({"do": "press", "words": words}).encode() + b"\n"
+            waited = without_a_processor(self.running.pid) + without_a_processor("self")
             begin = time.monotonic()
             one = kept if i % 3 else connect(self.name)   # a screen has its connection, the command line makes one
             one.sendall(request)
             answer = line_of(one)
             stops.append(time.monotonic() - begin)
+            waited = without_a_processor(self.running.pid) + without_a_processor("self") - waited
+            own.append(max(0.0, stops[-1] - waited))
             if one is not kept:
                 one.close()
             self.assertTrue(answer["ok"], answer)
             time.sleep(0.005)
         kept.close()
         here.close()
-        stop, own = percentiles(stops), percentiles(computer)
+        stop, own, echoed = percentiles(stops), percentiles(own), percentiles(computer)
         print(f"\n{what}: {COUNT} stops")
         for name, value in stop.items():
-            print(f"  {name:>8}  stop {value:8.3f} ms   computer {own[name]:8.3f} ms")
-        self.alone = getattr(self, "alone", None) or stop
-        self.assertLessEqual(stop["99 %"], max(own["99 %"], self.alone["99 %"]) + LIMIT * 1e3, what)
-        self.assertLessEqual(stop["longest"], max(own["longest"] + LIMIT * 1e3, self.alone["longest"] + LIMIT * 1e3, 100.0), what)
+            print(f"  {name:>8}  stop {value:8.3f} ms   of it the controller {own[name]:8.3f} ms   an echo {echoed[name]:8.3f} ms")
+        self.assertLessEqual(own["99 %"], LIMIT * 1e3, what)
+        self.assertLessEqual(own["longest"], 5 * LIMIT * 1e3, what)
 
     def test_while_every_other_client_misbehaves(self):
         self.start()
