@@ -229,8 +229,11 @@ void MainWindow::frame() {
 // A page that has come over what somebody types would take the rest of it for an answer.
 bool MainWindow::typed() const {
     if (entry_->isVisible() || help_->isVisible() || screen()->typing()) return true;
-    const auto pads = screen()->findChildren<NumberPad*>();
-    return std::any_of(pads.begin(), pads.end(), [](const NumberPad* pad) { return !pad->text().isEmpty(); });
+    const auto all = screen()->findChildren<QWidget*>();   // of a class without Q_OBJECT findChildren() finds every widget
+    return std::any_of(all.begin(), all.end(), [](const QWidget* one) {
+        const auto* pad = dynamic_cast<const NumberPad*>(one);
+        return pad && !pad->text().isEmpty();
+    });
 }
 
 void MainWindow::followDialogue() {
@@ -518,7 +521,13 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
             default: return false;
         }
     }
-    if (type == QEvent::KeyPress) return keyPressed(static_cast<QKeyEvent*>(event));
+    if (type == QEvent::KeyPress) {
+        if (passing_ == event) return false;   // a page has handed it on to its field: in a window without the keyboard's focus no field ever has it
+        passing_ = event;
+        const bool done = keyPressed(static_cast<QKeyEvent*>(event));
+        passing_ = nullptr;
+        return done;
+    }
     if (type == QEvent::KeyRelease) return keyReleased(static_cast<QKeyEvent*>(event));
     return false;
 }

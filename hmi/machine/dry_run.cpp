@@ -31,6 +31,13 @@ void DryRun::stop() {
     process_.release()->deleteLater();
 }
 
+void DryRun::cancel() {
+    if (!running()) return;
+    stop();
+    failure_ = word("It was stopped.");
+    meet();
+}
+
 void DryRun::begin(How how, Wanted wanted) {
     how_ = how, wanted_ = std::move(wanted), in_.clear(), told_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
     ++version_;

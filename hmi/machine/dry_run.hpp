@@ -67,6 +67,7 @@ public:
     ~DryRun();
     void start(How how, Wanted wanted, const QString& like);
     void stop();
+    void cancel();                                   // by somebody: what there is until now stays, and that it is not all
     // What it has told, as it came; and told again from there, a piece in each turn of the event loop. Empty: too much to be kept.
     QByteArray record() const;
     void replay(const QByteArray& record);

@@ -43,15 +43,32 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
         }
         const QRectF rest(x + px(8), 0, head_->width() - x - px(20), head_->height());
         if (dry_) {
-            const QRectF box(rest.right() - px(290), px(6), px(290), head_->height() - px(12));
+            const QString words = dryWords();
+            const QFont large = lettering(15, true);
+            const double most = rest.width() - px(60), wide = std::clamp(wordsWidth(words, large) + px(60), std::min<double>(px(290), most), most);
+            const QRectF box(rest.right() - wide, px(6), wide, head_->height() - px(12));
             w.fill(box, t.mark, px(6));
             w.sign(QRectF(box.left() + px(10), box.center().y() - px(10), px(20), px(20)), dryRun_.running() ? Sign::Wait : playing_ ? Sign::Run : Sign::Hold, t.accent);
-            w.text(box.adjusted(px(38), 0, -px(10), 0), word("Simulation: %1 of %2").arg(timeText(dryTime_), timeText(dryRun_.end())), lettering(15, true), t.text);
+            const QRectF inside = box.adjusted(px(38), 0, -px(10), 0);
+            QFont font = large;
+            if (wordsWidth(words, font) > inside.width()) font = letteringThatFits(words, inside.size(), 13, 11.5, Face::Condensed);   // why there is nothing to play: on two lines
+            Item& line = w.text(inside, wordsCutTo(words, font, inside.size()), font, t.text);
+            line.wraps = true, line.data = true;
             w.text(QRectF(box.left() - px(60), 0, px(50), head_->height()), QString::fromUtf8("× %1").arg(drySpeed_, 0, 'f', 0), lettering(15, true), t.dim, kRight);   // how fast it is played
         } else if (count <= kFewChannels) {
             w.text(rest, word("Paths since these screens started; tips drawn as points"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
         }
     };
+}
+
+// Where the play stands; nothing to play: why.
+QString Graphics::dryWords() const {
+    if (dryRun_.running()) return word("The simulation is being computed: %1 so far").arg(timeText(dryRun_.end()));
+    const auto& all = dryRun_.channels();   // an M code takes a moment too
+    if (dryRun_.end() >= 1 || std::any_of(all.begin(), all.end(), [](const auto& one) { return !one.second.moves.empty(); })) return word("Simulation: %1 of %2").arg(timeText(dryTime_), timeText(dryRun_.end()));
+    for (const RunFault& fault : dryRun_.faults())
+        if (fault.error) return word("Nothing to simulate: %1").arg((fault.place.isEmpty() ? QString() : fault.place + "  ") + fault.number + "  " + fault.text);
+    return word("Nothing to simulate: %1").arg(dryRun_.failure().isEmpty() ? word("the program takes no time") : dryRun_.failure());
 }
 
 void Graphics::resizeEvent(QResizeEvent*) { head_->setGeometry(0, 0, width(), px(46)), redraw_ = true; }
@@ -377,6 +394,10 @@ std::vector<SoftKey> Graphics::keys() {
     }, Sign::Graphics, desk_.live.connected() || dry_, dry_});
     if (!dry_) {
         keys.push_back({word("Clear"), [this] { forget(); }});
+        return keys;
+    }
+    if (dryRun_.running()) {
+        keys.push_back({word("Stop"), [this] { dryRun_.cancel(), desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Stop});
         return keys;
     }
     keys.push_back({playing_ ? word("Pause") : word("Play"), [this] {

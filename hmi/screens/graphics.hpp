@@ -80,6 +80,7 @@ private:
     void keepPaths();                      // those of the running part, and a run that is over
     void bringBack();                      // what was there before a restart, as soon as it is known
     void bringBackPaths();
+    QString dryWords() const;
     void startDry();
     void followDry();
     void playTo(double seconds);

@@ -399,6 +399,7 @@ std::vector<SoftKey> Programs::keys() {
     };
     if (auto zeros = page_ == Page::Files ? zerosKey() : std::nullopt) keys[6] = std::move(*zeros);   // of a job whose zeros are others
     if (page_ == Page::Restart) restart_->addKeys(keys);
+    if ((page_ == Page::Together || page_ == Page::Time) && dry_.running()) keys.push_back({word("Stop"), [this] { dry_.cancel(), refresh(), desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Stop});
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
         printing_.forget();                  // the worker sees it before its next piece, and takes away what it has written
         desk_.tell(word("The setup sheet is not written: stopped."), Told::Note);
