@@ -110,6 +110,19 @@ public:
     // One event, drawn and done to both; what it was.
     std::string step(std::mt19937& random) {
         const auto n = static_cast<unsigned>(model.c.size());
+        unsigned newcomer = kMaxChannels;
+        std::ostringstream what;
+        while (what.tellp() == 0) newcomer = draw(random, what);
+        // What restarted and has come to its block, or a member's end, is looked at between the commands.
+        model.settle(newcomer);
+        run(7);
+        for (unsigned k = 0; k < n; ++k) model.c[k].complete = model.c[k].at_block && model.all_at_block(k);
+        return what.str();
+    }
+
+    // One event, if it is possible just now; who has come to a code with it.
+    unsigned draw(std::mt19937& random, std::ostringstream& what) {
+        const auto n = static_cast<unsigned>(model.c.size());
         // Most of it happens to one team: of many channels two would seldom come to the same code.
         unsigned l = random() % n;
         if (random() % 4)
@@ -117,7 +130,6 @@ public:
         const unsigned team = team_of(l, n);
         Model::Channel& a = model.c[l];
         unsigned newcomer = kMaxChannels;
-        std::ostringstream what;
         const auto told = [&](const char* word) -> std::ostringstream& { return what << word << " L" << l + 1 << ' ', what; };
         switch (random() % 18) {
             case 0: case 1: press_start(l), told("start"); break;
@@ -161,11 +173,7 @@ public:
                 break;
             default: rarely(random, l, what);
         }
-        // What restarted and has come to its block, or a member's end, is looked at between the commands.
-        model.settle(newcomer);
-        run(7);
-        for (unsigned k = 0; k < n; ++k) model.c[k].complete = model.c[k].at_block && model.all_at_block(k);
-        return what.str();
+        return newcomer;
     }
 
     // The first channel that is not what the model says; empty: none.
