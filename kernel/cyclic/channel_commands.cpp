@@ -1,7 +1,6 @@
 // What operator, machine and supervision ask of a channel; acts at a tick's start.
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
-#include "kernel/cyclic/couplings.hpp"
 
 #include <utility>
 
@@ -132,8 +131,7 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     ++run_;
     cut_off_ = false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        // Its program reads the parameters as they are now; of what a superimposed axis may do half is kept for its master's way.
-        if (core_.config.axes[a].channel == number_ && !core_.couplings->superimposed_master(a)) core_.axes[a].take_limits();
+        if (core_.config.axes[a].channel == number_) core_.axes[a].take_limits();   // its program reads parameters and couplings as they are now
     state_ = ChannelState::Running;
     stop_reason_ = StopReason::None;
     hold_ = hold_later_ = change_due_ = group_ended_ = false;

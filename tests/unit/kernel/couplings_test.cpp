@@ -8,6 +8,13 @@ namespace {
 struct CoupledRig : TickRig {
     using TickRig::TickRig;
     void flag(std::uint32_t slot, bool on) { command(CommandKind::SetSignal, 0, on ? 1 : 0, 0, slot, 1); }
+    // Of a superimposed axis, and of its master, a path has half: what a channel finds for itself.
+    double share = 1;
+    PathRecord line(unsigned l, std::array<double, 2> by, double feed_mm_s, std::uint32_t flags = 0) {
+        PathRecord r = TickRig::line(l, by, feed_mm_s, flags);
+        r.v_max *= share, r.a_max *= share, r.j_max *= share;
+        return r;
+    }
     // Greatest difference quotient of the command of all axes seen so far, each over its limit.
     void watch() {
         on_tick = [this] {
@@ -184,6 +191,7 @@ TEST(Couplings, SuperimposedMotionAddsTheMastersWayWhileBothMove) {
             params::put(t, params::n2107_superimposed_master, 2, 4);
             params::put(t, params::n2108_superimposed_config, subtracted ? 1 : 0, 4);
         });
+        rig.share = 0.5;
         rig.flag(signals::ap_sprpnr(4), true);
         rig.run(5);
         EXPECT_EQ(rig.machine->core().signals.nc(signals::an_sprpna(4)), 1);
@@ -218,6 +226,7 @@ TEST(Couplings, ASuperimposedAxisKeepsItsStrokeWithWhatIsAddedToIt) {
         for (const bool planned_before : {false, true}) {
             SCOPED_TRACE(testing::Message() << added << planned_before);
             CoupledRig rig(limited);
+            rig.share = 0.5;
             rig.flag(signals::ap_sprpnr(4), true);
             rig.run(5);
             rig.push(1, rig.line(1, {0, added}, 30));
