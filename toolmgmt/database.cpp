@@ -1,5 +1,6 @@
 #include "toolmgmt/database.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -29,18 +30,14 @@ constexpr TableOf kTables[] = {
     {Kind::Offset, "offsets"}, {Kind::WorkZero, "zeros"}, {Kind::Variable, "variables"}, {Kind::Counter, "counters"}, {Kind::Position, "positions"},
 };
 
-// One owner: with an exclusive lock nobody else can write, and the log needs no shared memory of its own.
-constexpr const char* kSettings =
-    "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=500; PRAGMA trusted_schema=OFF;";
-
 // Everything that acts. The history is looked at when it is read: a million rows of it must not delay the start.
-constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters", "offsets", "zeros", "variables", "counters", "positions", "records"};
+constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters", "offsets", "zeros", "variables", "counters", "positions", "records", "promise"};
 
 }  // namespace
 
 bool intact(sqlite3* db, int version, std::string& what) {
     for (const char* table : kChecked) {
-        if (version < 2 && std::string_view(table) == "records") continue;
+        if ((version < 2 && std::string_view(table) == "records") || (version < kPromises && std::string_view(table) == "promise")) continue;
         Statement check(db, ("PRAGMA quick_check('" + std::string(table) + "')").c_str());
         if (!check.row()) return false;
         what = check.text(0);
@@ -83,13 +80,10 @@ bool worth_history(const Key& key, std::string_view who) {
     return key.kind <= Kind::WorkZero || key.kind == Kind::Edge || (key.kind == Kind::Tool && key.name != "counter");
 }
 
-// Enough for decades of an operator's entries; bounded, because measuring programs write offsets at every part.
-constexpr const char* kPrune = "DELETE FROM history WHERE id <= (SELECT max(id) FROM history) - 1000000";
-
-
 // False: the file cannot be read.
-bool read_records(sqlite3* db, StoreValues& values, const std::function<void(const std::string&)>& left_out) {
+bool read_records(sqlite3* db, StoreValues& values, bool users, const std::function<void(const std::string&)>& left_out) {
     for (const auto& [kind, name] : kRecordKinds) {
+        if (kind == Kind::User && !users) continue;
         Statement rows(db, "SELECT scope, number, field, value, text FROM records WHERE kind = ?");
         rows.bind(1, std::string_view(name));
         while (rows.row()) {
@@ -118,27 +112,6 @@ bool write_record(sqlite3* db, const Change& change) {
 
 }  // namespace
 
-Result<Database> Database::open(const std::string& folder) {
-    auto parts = std::make_unique<Parts>();
-    parts->path = (std::filesystem::path(folder) / kFile).string();
-    std::error_code wrong;
-    std::filesystem::create_directories(folder, wrong);
-    if (wrong) return Diagnosis{Alarm::StoreOpen, {folder, 0, 0, 0}, {}, wrong.message()};
-    if (sqlite3_open_v2(parts->path.c_str(), &parts->db, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) return parts->open_fault();
-    sqlite3_extended_result_codes(parts->db, 1);
-    sqlite3_busy_timeout(parts->db, 2000);   // a predecessor that was just killed may still be going away
-    if (!run(parts->db, kSettings)) return parts->open_fault();
-    const int version = schema_version(parts->db);
-    if (version < 0) return parts->open_fault();
-    if (version > newest_schema_version())
-        return Diagnosis{Alarm::StoreVersion, {parts->path, 0, 0, 0}, {}, "schema " + std::to_string(version) + ", known up to " + std::to_string(newest_schema_version())};
-    std::string what;
-    if (version > 0 && !intact(parts->db, version, what)) return what.empty() ? parts->open_fault() : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
-    // Also an up-to-date file takes the write lock here, so that a second owner is refused at once.
-    if (!migrate(parts->db) || !run(parts->db, kPrune)) return parts->open_fault();
-    return Database(std::move(parts));
-}
-
 Result<void> Database::read_into(StoreValues& values, std::vector<Diagnosis>& warnings) {
     const auto left_out = [&](const std::string& what) { warnings.push_back({Alarm::StoreRowIgnored, {parts_->path, 0, 0, 0}, {}, what}); };
     Statement parameters(parts_->db, "SELECT name, instance, element, number, text FROM parameters");
@@ -161,7 +134,7 @@ Result<void> Database::read_into(StoreValues& values, std::vector<Diagnosis>& wa
         }
         if (!rows.done()) return parts_->open_fault();
     }
-    return read_records(parts_->db, values, left_out) ? Result<void>() : parts_->open_fault();
+    return read_records(parts_->db, values, !parts_->condition.locked, left_out) ? Result<void>() : parts_->open_fault();
 }
 
 Result<void> Database::commit(const std::vector<Change>& changes, std::string_view who) {
@@ -191,8 +164,7 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
                                                             .bind(5, shown(change.after, change.text_after, change.is_text)).run();
         if (!good) return parts_->fault(Alarm::StoreWrite);
     }
-    if (!transaction.commit()) return parts_->fault(Alarm::StoreWrite);
-    return {};
+    return parts_->seal(transaction, std::any_of(changes.begin(), changes.end(), [](const Change& change) { return change.key.kind == Kind::User; }));
 }
 
 // Each condition as its index in schema.cpp has it: a value, the parameters and what was entered are found among a million rows without

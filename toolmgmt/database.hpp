@@ -7,9 +7,10 @@
 //   history     when (UTC), who, what, old, new; the newest million
 //   stops       when (UTC) a channel stood, how long, why; the newest hundred thousand
 //   migrations  which versions of this schema the file went through
+//   promise     how many commits were acknowledged, against store.witness (promise/README.md)
 //
 // A file of an older version is brought up to date inside one transaction; one of a newer version is refused and left
-// as it is, a damaged one too.
+// as it is. Damage and loss are found when it is opened: then condition() says what is wrong, and a damaged file is not written.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +28,24 @@ namespace polyturn::toolmgmt {
 
 class Database {
 public:
-    static constexpr int kVersion = 3;
     static constexpr const char* kFile = "store.sqlite";
 
-    // Makes folder and file where they are missing. Refuses a file that another process has open.
+    // What was promised and is not there.
+    struct Condition {
+        std::optional<Diagnosis> unfit;   // StoreLost, StoreDamaged: no production until somebody has restored a backup or confirmed
+        bool broken = false;              // the file is not worked on: values are what could be read, nothing can be kept
+        bool locked = false;              // the users are not those that were acknowledged: nobody has rights
+        bool had_users = false;           // there have been users: «no users yet» is over for good
+    };
+    const Condition& condition() const;
+    // Production goes on with what is left. A damaged file is kept under another name.
+    Result<void> confirm();
+    // Brings the log into the main file; cheap when there is nothing to bring.
+    Result<void> fold();
+    bool anything_to_fold() const;
+
+    // Makes folder and file where they are missing. Refuses a file that another process has open. Everything that is read
+    // afterwards is on the disk, also what a predecessor that was killed had only written.
     static Result<Database> open(const std::string& folder);
     Database(Database&&) noexcept;
     Database& operator=(Database&&) noexcept;
@@ -89,7 +104,8 @@ public:
         std::string name, path, bytes;   // name: what it is; path: where it goes back to
     };
     Result<void> backup(const std::string& file, const std::vector<File>& files);
-    // What a backup holds: its values on top of `values` (cleared by the caller), its files.
+    // What a backup holds: its values on top of `values` (cleared by the caller), its files. Nothing of the file is trusted: tables and
+    // columns must be those of a store, and what is too large is refused.
     static Result<void> read_backup(const std::string& file, StoreValues& values, std::vector<File>& files, std::vector<Diagnosis>& warnings);
     // Takes over the history of a backup, what is here already only once. Returns how many lines came.
     Result<std::int64_t> merge_history(const std::string& file);
@@ -98,6 +114,8 @@ public:
     const std::string& path() const;
 
 private:
+    // The new main file in place of the old one, which is kept; returns its name.
+    static Result<std::string> install(const std::string& folder, const std::string& fresh);
     struct Parts;
     explicit Database(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;

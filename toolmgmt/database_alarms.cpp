@@ -12,8 +12,8 @@ Result<void> Database::note_alarms(const std::vector<AlarmEvent>& alarms) {
         for (const AlarmEvent& one : alarms)
             if (!row.bind(1, std::string_view(one.utc)).bind(2, std::string_view(one.event)).run()) return parts_->fault(Alarm::StoreWrite);
     }
-    if (!run(parts_->db, "DELETE FROM alarms WHERE id <= (SELECT max(id) FROM alarms) - 100000") || !transaction.commit()) return parts_->fault(Alarm::StoreWrite);
-    return {};
+    if (!run(parts_->db, "DELETE FROM alarms WHERE id <= (SELECT max(id) FROM alarms) - 100000")) return parts_->fault(Alarm::StoreWrite);
+    return parts_->seal(transaction);
 }
 
 Result<std::vector<Database::AlarmEvent>> Database::alarms(std::string_view before_utc, std::int64_t before_id, std::int64_t most) {

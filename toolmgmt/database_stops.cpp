@@ -19,8 +19,8 @@ Result<void> Database::note_stop(const Stop& stop) {
         row.bind(5, std::string_view(stop.detail)).bind(6, std::string_view(stop.program)).bind(7, std::int64_t{stop.line}).bind(8, stop.seconds);
         if (!row.run()) return parts_->fault(Alarm::StoreWrite);
     }
-    if (!run(parts_->db, kPruneStops) || !transaction.commit()) return parts_->fault(Alarm::StoreWrite);
-    return {};
+    if (!run(parts_->db, kPruneStops)) return parts_->fault(Alarm::StoreWrite);
+    return parts_->seal(transaction);
 }
 
 Result<std::vector<Database::Stop>> Database::stops(std::string_view since, std::int64_t most) {

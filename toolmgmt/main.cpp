@@ -2,6 +2,7 @@
 // publishes. Exit status: 0 ended by SIGTERM, 1 the store cannot be used, 2 machine or setup cannot be read.
 #include <signal.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -48,16 +49,41 @@ int restore_offline(const Options& options) {
         if (!in_use && in_use.diagnosis().alarm == Alarm::StoreBusy) return complain(in_use.diagnosis()), 2;
     }
     std::vector<Database::File> files;
+    {
+        // Everything is judged before anything is written.
+        auto values = std::make_unique<StoreValues>();
+        clear(*values);
+        std::vector<Diagnosis> warnings;
+        if (const Result<void> read = Database::read_backup(file, *values, files, warnings); !read) return complain(read.diagnosis()), 2;
+    }
+    const RestoreTo to{options.machine_folder, options.store};
+    std::vector<RestoredFile> targets;
+    for (const auto& one : files) {
+        auto judged = judge_file(one, to);
+        if (!judged) return complain(judged.diagnosis()), 2;
+        if (judged->native && !options.with_plc && differs_from_disk(one, judged->target)) return complain({Alarm::BackupNative, {}, {}, judged->target}), 2;
+        targets.push_back(std::move(*judged));
+    }
+    files.clear();
     const auto kept = Database::put_back(options.store, file, files);
     if (!kept) return complain(kept.diagnosis()), 2;
     std::printf("restored %s\n", file.c_str());
     if (!kept->empty()) std::printf("the old store is kept as %s\n", kept->c_str());
-    for (const auto& one : files) {
-        const std::string target = target_of(one, options.machine_folder);
-        if (!differs_from_disk(one, target)) continue;
-        if (const Result<void> put = put_file(target, one.bytes); !put) return complain(put.diagnosis()), 2;
-        std::printf("restored %s\n", target.c_str());
+    for (std::size_t i = 0; i < std::min(files.size(), targets.size()); ++i) {
+        if (!differs_from_disk(files[i], targets[i].target)) continue;
+        if (const Result<void> put = put_file(targets[i], files[i].bytes); !put) return complain(put.diagnosis()), 2;
+        std::printf("restored %s\n", targets[i].target.c_str());
     }
+    return 0;
+}
+
+// Production goes on with what is left of a damaged store: for whoever owns its files.
+int confirm_offline(const Options& options) {
+    auto disk = Database::open(options.store);
+    if (!disk) return complain(disk.diagnosis()), 2;
+    if (disk->condition().unfit) complain(*disk->condition().unfit);
+    if (const Result<void> done = disk->confirm(); !done) return complain(done.diagnosis()), 2;
+    std::printf("confirmed %s\n", options.store.c_str());
     return 0;
 }
 
@@ -69,6 +95,7 @@ int main(int argc, char** argv) {
     catch_signals();
 
     if (!options.restore.empty()) return restore_offline(options);
+    if (options.confirm) return confirm_offline(options);
 
     end_with_kernel(options.instance);
     std::optional<Database> disk;

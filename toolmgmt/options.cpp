@@ -21,6 +21,8 @@ Options read_options(int argc, char** argv) {
     app.add_option("--setup", options.setup, "what an operator would have entered: offsets, zeros, variables (TOML)");
     app.add_option("--like", options.like, "the running controller whose tools this one begins with");
     app.add_option("--restore", options.restore, "puts this backup (or newest: of the folder's own) in place of the store and ends");
+    app.add_flag("--with-plc", options.with_plc, "with --restore: also programs of the PLC and drives that the backup holds");
+    app.add_flag("--confirm-loss", options.confirm, "production goes on with what a damaged store still holds; ends then");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -28,7 +30,7 @@ Options read_options(int argc, char** argv) {
         return options;
     }
     if (const auto path = text::resolve_machine(options.machine.machine)) options.machine_folder = path->folder;
-    if (!options.restore.empty() && !options.store.empty()) return options;
+    if ((!options.restore.empty() || options.confirm) && !options.store.empty()) return options;
     if (!valid_instance(options.instance)) {
         std::fprintf(stderr, "polyturn-toolmgmt: \"%s\" is no name of a controller\n", options.instance.c_str());
         options.exit_status = 2;

@@ -11,6 +11,8 @@
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "toolmgmt/cell_requests.hpp"
+#include "toolmgmt/operations/backup_files.hpp"
+#include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/places.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 #include "toolmgmt/wait_any.hpp"
@@ -20,6 +22,7 @@ namespace {
 
 constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
 constexpr std::chrono::seconds kRetry{1};      // after the disk refused
+constexpr const char* kKilled = "the store died when it read this request; it is not read again";
 constexpr std::size_t kMostImportLines = 100'000;
 constexpr std::size_t kAnswerPiece = sizeof(StoreAnswer{}.text) - 1;
 constexpr std::size_t kMostAtOnce = 4096;      // changes that the kernel takes in one tick; its ring holds twice as many
@@ -47,7 +50,7 @@ void Service::tell_not_kept(const Diagnosis& why) {
 
 Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files)
     : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
-      machine_(derive_machine_config(values.parameters)), files_(std::move(files)), places_(std::make_unique<ToolPlaceTable>()) {
+      machine_(derive_machine_config(values.parameters)), files_(std::move(files)), places_(std::make_unique<ToolPlaceTable>()), logins_(std::make_unique<LoginLimit>()) {
     if (!disk_ && image_.taken_over()) {   // the image is all that there is
         image_.read_into(values_);
         machine_ = derive_machine_config(values_.parameters);
@@ -59,6 +62,8 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
         const std::string own = std::to_string(supervisor_->processes[kProcessKernel].pid) + ":";
         if (done->text.rfind(own, 0) == 0) replay_from_ = std::max<std::uint64_t>(replay_from_, std::strtoull(done->text.c_str() + own.size(), nullptr, 10));
     }
+    look_at_condition();
+    tell_condition();   // before the kernel is there, it reads it in its first tick
     look_for_kernel();
     // Before anything is shown: the predecessor showed these values, and they must not seem to go back.
     replay();
@@ -66,7 +71,38 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
     if (disk_ && image_.taken_over()) image_.read_zeros_into(values_);
     derive_places(values_, *places_);
     image_.publish_all(values_);
+    answer_what_was_begun();
 }
+
+// A predecessor that died between taking a request and its answer: whoever waits for it hears that.
+void Service::answer_what_was_begun() {
+    StoreSegment& own = image_.segment();
+    const auto head = own.answers.head.load(std::memory_order_relaxed), tail = own.request_tail.tail.load(std::memory_order_relaxed);
+    if (!image_.taken_over()) return;
+    if (head > 0 && own.answers.slot(head - 1).more != 0) {   // its end is missing
+        StoreAnswer end{};
+        end.id = own.answers.slot(head - 1).id;
+        end.ok = 1;
+        out_.push_back(end);
+    }
+    if (tail == 0) return;
+    StoreRequest request = supervisor_->requests.slot(tail - 1);
+    if (static_cast<StoreRequestKind>(request.kind) != StoreRequestKind::Operation || begun_before(request.id) == 0) return;
+    push_answer(request.id, refuse_begun(request));
+}
+
+void Service::push_answer(std::uint64_t id, std::string_view text) {
+    for (std::size_t at = 0; at == 0 || at < text.size(); at += kAnswerPiece) {
+        StoreAnswer piece{};
+        piece.id = id;
+        piece.ok = 1;
+        piece.more = at + kAnswerPiece < text.size();
+        copy_text(piece.text, text.substr(at, kAnswerPiece));
+        out_.push_back(piece);
+    }
+}
+
+Service::~Service() = default;
 
 bool Service::step() {
     supervisor_seen_ = supervisor_->store_bell.seen();
@@ -76,6 +112,7 @@ bool Service::step() {
     send_answers();
     worked |= take_requests();
     back_up_when_due();
+    tell_condition();
     const auto now = Clock::now();
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
         const bool known = !disk_refuses_.empty();   // said once
@@ -85,6 +122,8 @@ bool Service::step() {
         }
         worked = true;
     }
+    if (worked) quiet_since_ = now;
+    else fold_when_idle();
     return worked;
 }
 
@@ -125,6 +164,7 @@ void Service::look_for_kernel() {
         replay_from_ = 0;
     }
     kernel_ = std::move(*fresh);
+    told_ = !unfit_;   // a new one has heard nothing
     pending_index_ = own.persist_tail.tail.load();
 }
 
@@ -214,17 +254,13 @@ bool Service::take_requests() {
         if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Operation) {
             // Pieces follow each other; `number` is where this one begins, so that a sender that gave up spoils nothing.
             if (request.number == 0) operation_.clear();
-            if (operation_.size() == static_cast<std::size_t>(request.number)) operation_.append(request.name.data(), ::strnlen(request.name.data(), request.name.size()));
+            if (operation_.size() == static_cast<std::size_t>(request.number) && operation_.size() <= kLargestRequest) operation_.append(request.name.data(), ::strnlen(request.name.data(), request.name.size()));
             if (request.field != kMoreFollows) {
-                const std::string text = operate(std::exchange(operation_, {}), request);
-                for (std::size_t at = 0; at == 0 || at < text.size(); at += kAnswerPiece) {
-                    StoreAnswer piece{};
-                    piece.id = request.id;
-                    piece.ok = 1;
-                    piece.more = at + kAnswerPiece < text.size();
-                    copy_text(piece.text, std::string_view(text).substr(at, kAnswerPiece));
-                    out_.push_back(piece);
-                }
+                // What killed its reader is not read again: nobody knows what it would do to this one.
+                const bool again = begun_before(request.id) > 0;
+                mark_begun(request.id, 1);
+                const std::string text = again ? refuse_begun(request) : operate_safely(std::exchange(operation_, {}), request);
+                push_answer(request.id, text);
             }
             own.request_tail.tail.store(index + 1, std::memory_order_release);
             send_answers();
@@ -232,8 +268,14 @@ bool Service::take_requests() {
             worked = true;
             continue;
         }
+        // One of fixed fields may be tried twice: most likely its reader was killed from outside.
+        const unsigned before = begun_before(request.id);
+        mark_begun(request.id, before + 1);
         Result<Applied> applied = Applied{{}, "more follows"};
-        if (parameter && request.field == kMoreFollows) {
+        if (before >= 2) {
+            applied = Diagnosis{Alarm::RequestBad, {}, {}, kKilled};
+            import_.clear();
+        } else if (parameter && request.field == kMoreFollows) {
             if (import_.size() < kMostImportLines) import_.push_back(request);
             else applied = Diagnosis{Alarm::StoreRequestBad, {}, {}, "an import of more than " + std::to_string(kMostImportLines) + " lines"};
         } else {
@@ -245,6 +287,22 @@ bool Service::take_requests() {
         own.bell.ring();
         worked = true;
     }
+}
+
+// The slot that is filled next belongs to nobody else: it says what is being worked on, to whoever follows in this segment.
+void Service::mark_begun(std::uint64_t id, unsigned times) {
+    auto& ring = image_.segment().answers;
+    StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
+    next = {};
+    next.more = times;
+    std::atomic_signal_fence(std::memory_order_release);
+    next.id = id;
+}
+
+unsigned Service::begun_before(std::uint64_t id) {
+    const auto& ring = image_.segment().answers;
+    const StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
+    return next.id == id && id != 0 && next.ok == 0 && next.text[0] == 0 ? next.more : 0;
 }
 
 // The request, with the lines of its import before it: checked, on disk, in the image. All of it or nothing.
@@ -304,6 +362,38 @@ void Service::answer(const StoreRequest& request, const Result<Applied>& applied
     const auto head = ring.head.load(std::memory_order_relaxed);
     ring.slot(head) = out;
     ring.head.store(head + 1, std::memory_order_release);
+}
+
+// What the disk says of itself: nobody's rights grow because users were lost, and the kernel starts nothing.
+void Service::look_at_condition() {
+    const bool was = unfit_;
+    unfit_ = disk_ && disk_->condition().unfit;
+    image_.set_locked(disk_ && (disk_->condition().locked || disk_->condition().had_users));
+    if (unfit_ != was) told_ = false;
+    if (!unfit_ || was) return;
+    std::string detail = disk_->condition().unfit->detail;
+    const auto newest = newest_good_backup(files_.store_folder);
+    detail += newest ? "; newest backup: " + newest->substr(newest->rfind('/') + 1) : "; there is no backup";
+    unfit_text_ = detail;
+    std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line({disk_->condition().unfit->alarm, {}, {}, detail}).c_str());
+}
+
+void Service::tell_condition() {
+    if (told_) return;
+    const auto head = image_.segment().tool_answers.head.load(std::memory_order_relaxed);
+    if (!kernel_.attached() && head != 0) return;
+    ToolAnswer message{};
+    message.alarm = unfit_ ? kStoreUnfit : kStoreWhole;
+    if (unfit_) message.tool = static_cast<std::int32_t>(disk_->condition().unfit->alarm);
+    copy_text(message.text, unfit_text_);
+    told_ = image_.push(message, kernel_.attached() ? kernel_->tool_tail.tail.load(std::memory_order_acquire) : 0);
+}
+
+// A log that lies there for days is a risk for days; folding it in while nobody waits costs nobody anything.
+void Service::fold_when_idle() {
+    if (!disk_ || !disk_->anything_to_fold() || !pending_.empty() || Clock::now() - quiet_since_ < kIdle) return;
+    quiet_since_ = Clock::now();
+    if (const Result<void> folded = disk_->fold(); !folded) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(folded.diagnosis()).c_str());
 }
 
 // All numbers of one request are one import: the kernel takes them in the same tick.

@@ -26,9 +26,12 @@
 
 namespace polyturn::toolmgmt {
 
+class LoginLimit;
+
 class Service {
 public:
     static constexpr std::chrono::milliseconds kBatchMs{40};   // architecture 9 allows 100
+    static constexpr std::chrono::milliseconds kIdle{2000};    // then the log is folded in
 
     // disk: nullptr keeps nothing. `values` are already what the image is to show.
     struct Files {
@@ -36,6 +39,8 @@ public:
         std::string store_folder;     // for automatic backups
     };
     Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files);
+
+    ~Service();
 
     // Looks once for work and does it; false when there was none.
     bool step();
@@ -59,7 +64,16 @@ private:
     void tell_kernel(const std::vector<Change>& changes, std::uint64_t request);
     void tell_not_kept(const Diagnosis& why);    // on stderr, and a message to the operator
     void back_up_when_due();
-    bool has_users() const;                      // without any, everybody whom the socket lets in may do everything
+    bool has_users() const;                      // without any, and without ever any, everybody whom the socket lets in may do everything
+    void tell_condition();                       // to the kernel: data were lost, or all is well again
+    void fold_when_idle();
+    void look_at_condition();                    // the disk's has changed
+    // The request at the tail was begun by a predecessor that died of it, or while it worked on it.
+    unsigned begun_before(std::uint64_t id);
+    void answer_what_was_begun();
+    void push_answer(std::uint64_t id, std::string_view text);
+    void mark_begun(std::uint64_t id, unsigned times);
+    std::string operate_safely(const std::string& text, const StoreRequest& request);
     std::string mark() const;                    // in the file: how far the kernel's ring is on disk
     void answer(const StoreRequest& request, const Result<Applied>& applied);
     void push_parameter_changes(const std::vector<Change>& changes);
@@ -87,7 +101,11 @@ private:
     std::string operation_;                      // pieces of one whose end has not come yet
     std::string disk_refuses_;                   // why nothing that programs write reaches the disk; empty: it does
     std::deque<StoreAnswer> out_;                // answers for which there is no room yet
-    Clock::time_point next_backup_{};
+    Clock::time_point next_backup_{}, quiet_since_{};
+    bool unfit_ = false, told_ = true;           // told: the kernel knows
+    std::string unfit_text_;
+    std::unique_ptr<LoginLimit> logins_;
+    std::string refuse_begun(const StoreRequest& request);
 };
 
 }  // namespace polyturn::toolmgmt

@@ -45,7 +45,7 @@ std::string Service::user_name(const StoreRequest& request) const {
 
 bool Service::has_users() const {
     const auto first = values_.cells.lower_bound(Key{Kind::User, 0, 0, 0, {}});
-    return first != values_.cells.end() && first->first.kind == Kind::User;
+    return (first != values_.cells.end() && first->first.kind == Kind::User) || (disk_ && (disk_->condition().locked || disk_->condition().had_users));
 }
 
 // Of this kernel's ring: another kernel counts from 0 again.
@@ -88,27 +88,48 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
         out.plc_offset = plc->signal[PlcSignal{signals::cp_offsno}(channel)];
         return out;
     };
-    const Json asked = Json::parse(text, nullptr, false);
+    work.logins = logins_.get();
     // A predecessor that was killed behind its transaction had done it already: an id is done once.
     const Key done_key{Kind::Setting, 0, 0, 0, "operation"};
     const std::string done_text = std::to_string(supervisor_->header.writer_pid) + ":" + std::to_string(request.id);
     if (const Cell* last = values_.cell(done_key); last && last->text == done_text) return answer_text({{"repeated", true}}, {});
-    if (asked.is_discarded() || !asked.is_object()) {
-        work.fault(Alarm::StoreRequestBad, "not a JSON object");
+    const Result<Json> parsed = parse_request(text);
+    if (!parsed) {
+        work.fault(parsed.diagnosis());
         return answer_text({}, work.faults);
     }
+    const Json& asked = *parsed;
+    const bool preview = read_flag(asked, "preview", work);
+    if (!work.good()) return answer_text({}, work.faults);
     // What the operation copies or compares must be on disk.
     if (const Result<void> kept = commit_pending({}, "program"); !kept) {
         work.fault(kept.diagnosis());
         return answer_text({}, work.faults);
     }
-    Json answer = run_operation(asked, work);
+    Json answer;
     const auto take_back = [&] {
         for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at) write_value(values_, at->key, at->before, at->text_before, at->is_text);
     };
-    if ((!work.good() && !work.keep) || asked.value("preview", false)) {
+    // Whatever an operation meets that nobody has thought of: it is not done, and the others are served.
+    try {
+        answer = run_operation(asked, work);
+    } catch (const std::exception& wrong) {
+        take_back();
+        work.changes.clear();
+        work.fault(Alarm::RequestBad, wrong.what());
+        return answer_text({}, work.faults);
+    }
+    if ((!work.good() && !work.keep) || preview) {
         take_back();
         return answer_text(answer, work.faults);
+    }
+    // A file that is not worked on becomes one that is, with what could be read of it; what is restored comes on top.
+    if (work.confirms && disk_ && disk_->condition().broken) {
+        if (const Result<void> confirmed = disk_->confirm(); !confirmed) {
+            take_back();
+            work.fault(confirmed.diagnosis());
+            return answer_text({}, work.faults);
+        }
     }
     if (!work.changes.empty()) {
         set_text(values_, done_key, done_text, work.changes);
@@ -124,9 +145,29 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
     }
     for (const auto& act : work.after)
         if (const Result<void> done = act(); !done) work.fault(done.diagnosis());
+    if (work.confirms && work.good() && disk_) {
+        if (const Result<void> confirmed = disk_->confirm(); !confirmed) work.fault(confirmed.diagnosis());
+        look_at_condition();
+    }
     if (work.good() && std::any_of(work.changes.begin(), work.changes.end(), [](const Change& c) { return c.key.kind == Kind::Parameter; }))
         if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty()) answer["warning"] = wrong.front().text();
     return answer_text(answer, work.faults);
+}
+
+std::string Service::operate_safely(const std::string& text, const StoreRequest& request) {
+    try {
+        return operate(text, request);
+    } catch (const std::exception& wrong) {
+        return answer_text({}, {Fault{Diagnosis{Alarm::RequestBad, {}, {}, wrong.what()}, 0, {}}});
+    }
+}
+
+// The transaction of whoever died over it may have been finished: an id is done once.
+std::string Service::refuse_begun(const StoreRequest& request) {
+    operation_.clear();
+    const Cell* last = values_.cell({Kind::Setting, 0, 0, 0, "operation"});
+    if (last && last->text == std::to_string(supervisor_->header.writer_pid) + ":" + std::to_string(request.id)) return answer_text({{"repeated", true}}, {});
+    return answer_text({}, {Fault{Diagnosis{Alarm::RequestBad, {}, {}, "the store died when it read this request; it is not read again"}, 0, {}}});
 }
 
 // Once when the controller has run for a minute, then every PT_BACKUP_EVERY hours.

@@ -142,6 +142,12 @@ void StoreImage::publish_users(const StoreValues& values) {
         row.uid = static_cast<std::int64_t>(number(user, "uid", -1));
         std::copy_n(name->text.begin(), std::min(name->text.size(), row.name.size() - 1), row.name.begin());
     }
+    if (table.count == 0 && locked_) {
+        UserRow& nobody = table.rows[table.count++];
+        nobody.locked = 1;
+        nobody.uid = -1;
+        nobody.name[0] = '-';
+    }
     own_->users.publish();
 }
 

@@ -27,6 +27,8 @@ public:
     void publish_all(const StoreValues& values);
     // What these changes touched; then `version` grows. The kernel's list of parameter changes is the caller's.
     void publish(const StoreValues& values, const std::vector<Change>& changes);
+    // Nobody has rights: others see a user who cannot log in, where an empty list would make everybody a maker.
+    void set_locked(bool locked) { locked_ = locked; }
     // False: the kernel has left no room.
     bool push(const ToolAnswer& answer, std::uint64_t taken);
     StoreSegment& segment() { return *own_; }
@@ -36,7 +38,7 @@ private:
     void publish_tools(const StoreValues& values, const std::vector<Change>& changes);
     void publish_users(const StoreValues& values);
     std::vector<std::size_t> written_;   // tool rows of the last publication: the other slot has older ones
-    bool all_written_ = true;
+    bool all_written_ = true, locked_ = false;
     std::uint64_t tool_version_ = 0;
     OwnSegment<StoreSegment> own_;
     std::uint64_t replay_from_ = 0;

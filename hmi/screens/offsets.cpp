@@ -101,6 +101,9 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), find_(n
     pad_->onInput = [this](double now) {
         if (const auto value = chosen()) put(*value, now);
     };
+    pad_->onAdded = [this](double delta) {
+        if (const auto value = chosen()) add(*value, delta);
+    };
     build();
 }
 
@@ -382,6 +385,17 @@ void Offsets::put(const Value& value, double now, bool undone) {
 }
 
 // An operation of the store on the chosen offset or edge; it reads table and field, an edge's also by the plane.
+// The store adds: a measured part, another panel or the program may have written since this value was drawn.
+void Offsets::add(const Value& value, double delta) {
+    undo_.asked();
+    const auto done = [this, value](const Answer& answer) { entered(value, answer); };
+    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
+    const double exact = std::round(delta * 1e9) / 1e9;
+    if (value.zero) return desk_.requests.store({{"do", "zeros.set"}, {"channel", static_cast<int>(value.channel)}, {"zero", words[2]}, {"field", words[3]}, {"delta", exact}}, done);
+    if (value.ofEdge()) return askStore(value, {{"do", "offsets.set"}, {"dp", value.dp}, {"delta", exact}}, done);
+    askStore(value, {{"do", "offsets.set"}, {"table", words[3]}, {"field", words[4]}, {"delta", exact}}, done);
+}
+
 void Offsets::askStore(const Value& value, QJsonObject request, const std::function<void(const Answer&)>& done) {
     const unsigned channel = value.words.section(' ', 1, 1).mid(1).toUInt();
     request.insert("channel", static_cast<int>(channel));
@@ -529,16 +543,13 @@ void Offsets::measure() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act));
-    const ChannelStore& store = desk_.live.store(desk_.channel);
     double zero = 0;
     if (!desk_.live.zeroNow(desk_.channel, static_cast<unsigned>(place), zero)) zero = desk_.live.tableZero(desk_.channel, static_cast<unsigned>(place), view.known ? view.picture.zero_row : static_cast<std::int32_t>(kZeroG54));
-    const double length = (machine - shown(axis, zero) - *typed) / shown(axis, 1);   // of the tool, with wear
-    if (value->ofEdge()) return pad_->clear(), put(*value, length - (sumOfLength(desk_.live, value->edge, lengthOf(value->dp)) - value->present));
-    const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
-    const double wear = store.offsets[value->row].wear[field];
+    // Where the axis stands and what the wear is by then, the store knows best; which zero acts, the program.
+    const char* const field = axis.role == PlaneRole::BasicX ? "X" : axis.role == PlaneRole::BasicY ? "Y" : "Z";
     pad_->clear();
-    put(*value, inTable(axis, length) - wear);
+    undo_.asked();
+    askStore(*value, {{"do", "offsets.measure"}, {"table", value->ofEdge() && value->dp >= kDpBase && value->dp <= kDpBase + 2 ? "second" : "geometry"}, {"field", field}, {"value", *typed}, {"zero_at", shown(axis, zero)}}, [this, value = *value](const Answer& answer) { entered(value, answer); });
 }
 
 // What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.
@@ -549,14 +560,11 @@ void Offsets::zeroHere() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = shown(axis, view.toolShift[place]);   // also of one that a program before has left
-    const ChannelStore& store = desk_.live.store(desk_.channel);
-    const std::size_t row = value->row;
-    double others = 0;   // that act beside it
-    for (const std::size_t other : {kZeroExternal, kZeroShift})
-        if (other != row) others += store.zeros[other * kChannelAxes + place];
+    const double tool = shown(axis, view.toolShift[place]);   // also of one that a program before has left
+    const QStringList words = value->words.split(' ');   // «zero L1 G54 Z»
     pad_->clear();
-    put(*value, machine - tool - others - typed.value_or(0.0));
+    undo_.asked();
+    desk_.requests.store({{"do", "zeros.here"}, {"channel", static_cast<int>(desk_.channel)}, {"zero", words[2]}, {"field", words[3]}, {"value", typed.value_or(0.0)}, {"length", tool}}, [this, value = *value](const Answer& answer) { entered(value, answer); });
 }
 
 void Offsets::resizeEvent(QResizeEvent*) { layOut(); }

@@ -70,6 +70,7 @@ private:
     std::optional<Value> valueAt(int row, int column) const;
     std::optional<Value> chosen() const { return valueAt(table_->row(), table_->column()); }
     void put(const Value& value, double now, bool undo = false);
+    void add(const Value& value, double delta);   // to what the store has by then
     double presentOf(const Value& value) const;
     void measure();
     void zeroHere();

@@ -64,8 +64,11 @@ void NumberPad::enter(bool added) {
     const auto now = field ? field() : std::nullopt;
     const auto value = now ? result(*now, added) : std::nullopt;
     if (!value || !onInput) return;
+    const auto typed = entry();
+    const bool adds = onAdded && now->adds && typed && (added || typed->added);
     text_.clear();
-    onInput(*value);
+    if (adds) onAdded(typed->value * now->size);
+    else onInput(*value);
     refresh();
 }
 

@@ -27,6 +27,8 @@ public:
     // What the number is for; empty: nothing is chosen.
     std::function<std::optional<Field>()> field;
     std::function<void(double)> onInput;      // the new value
+    // What is to be added, where whoever keeps the value adds: what a program has written since it was shown stays. Empty: onInput gets the sum.
+    std::function<void(double)> onAdded;
 
     const QString& text() const { return text_; }
     void clear();

@@ -6,5 +6,8 @@
 namespace polyturn {
 
 inline constexpr std::int32_t kStoreMessage = -3;
+// Likewise, and no production from now on, because data were lost (kStoreUnfit); the store is whole again or what is left was
+// confirmed (kStoreWhole). Whoever attaches later is told again.
+inline constexpr std::int32_t kStoreUnfit = -4, kStoreWhole = -5;
 
 }  // namespace polyturn

@@ -19,6 +19,7 @@ inline constexpr std::array<StartWords, 21> kStartWords{{
     {"machine_on", "the machine is not switched on", "switch it on"},
     {"no_stop", "everything was stopped by an alarm", "remove its cause and reset"},
     {"store", "the store is dead: nothing would be kept", "wait until it runs again"},
+    {"store_whole", "the store has lost data: no production", "restore a backup, or let a maker confirm what is left"},
     {"reset_over", "the reset is not over", "wait until the axes rest"},
     {"by_hand", "an axis is being moved by hand", "wait until it rests"},
     {"back_on_path", "axes were moved in the hold", "press return"},

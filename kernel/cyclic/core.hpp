@@ -51,6 +51,7 @@ struct Core {
     MachineState state = MachineState::Off;
     bool all_stop = false;                 // PLC dead, ticks late, supervisor silent: everything rests until reset
     bool store_dead = false;
+    bool store_unfit = false;              // it has lost data and nobody has confirmed that production goes on
     bool some_slow = false;                // is_slow() of any axis, in this tick
     bool end_run = false;
     std::uint32_t alarm_count = 0;

@@ -25,6 +25,8 @@ constexpr std::array<StartCondition, kStartWords.size()> kConditions{{
      [](const Core& c, const StartView&, std::uint32_t) -> std::uint32_t { return c.on() && c.all_stop; }},
     {"store", Scope::Machine,
      [](const Core& c, const StartView&, std::uint32_t) -> std::uint32_t { return c.store_dead; }},
+    {"store_whole", Scope::Machine,
+     [](const Core& c, const StartView&, std::uint32_t) -> std::uint32_t { return c.store_unfit; }},
     {"reset_over", Scope::Channel,
      [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return !v.resting; }},
     {"by_hand", Scope::Channel,

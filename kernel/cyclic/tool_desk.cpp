@@ -74,7 +74,12 @@ void ToolDesk::take_answers(Core& core) noexcept {
     auto index = taken.load(std::memory_order_relaxed);
     for (; index < head; ++index) {
         const ToolAnswer& answer = ring.slot(index);
-        if (answer.alarm == kStoreMessage) {
+        if (answer.alarm == kStoreWhole) {
+            core.store_unfit = false;
+            continue;
+        }
+        if (answer.alarm == kStoreMessage || answer.alarm == kStoreUnfit) {
+            if (answer.alarm == kStoreUnfit) core.store_unfit = true;
             core.alarm(known_alarm(answer.tool), 0, {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
             continue;
         }

@@ -8,8 +8,12 @@
 #include <memory>
 #include <set>
 
+#include <toml++/toml.h>
+
 #include "ipc/image/segments.hpp"
+#include "ipc/machine/compensation_tables.hpp"
 #include "ipc/memory/segment.hpp"
+#include "ipc/params/param_file.hpp"
 #include "ipc/text/replace_file.hpp"
 #include "toolmgmt/schema.hpp"
 
@@ -75,13 +79,80 @@ bool add_programs(const std::string& path, std::vector<Database::File>& files) {
     return true;
 }
 
-std::string target_of(const Database::File& file, const std::string& machine_folder) {
-    constexpr std::string_view kMachine = "machine/";
-    if (file.name.rfind(kMachine, 0) == 0 && !machine_folder.empty()) {
-        const fs::path relative = fs::path(file.name.substr(kMachine.size())).lexically_normal();
-        if (!relative.is_absolute() && *relative.begin() != "..") return (fs::path(machine_folder) / relative).string();
+namespace {
+
+// A relative path of plain names, none of them hidden: what collect_files() writes.
+bool plain(std::string_view path) {
+    if (path.empty() || path.size() > 1000) return false;
+    for (std::size_t at = 0; at <= path.size();) {
+        const std::size_t end = std::min(path.find('/', at), path.size());
+        const std::string_view part = path.substr(at, end - at);
+        if (part.empty() || part.front() == '.' || part.size() > 200 || part.find('\\') != std::string_view::npos) return false;
+        for (const char c : part)
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return false;
+        at = end + 1;
     }
-    return file.path;
+    return true;
+}
+
+bool ends_with(std::string_view text, std::string_view end) { return text.size() >= end.size() && text.substr(text.size() - end.size()) == end; }
+
+bool is_native(std::string_view name, std::string_view bytes) {
+    return bytes.substr(0, 4) == "\x7f" "ELF" || bytes.substr(0, 2) == "MZ" || bytes.substr(0, 2) == "#!" || ends_with(name, ".so") || name.find(".so.") != std::string_view::npos;
+}
+
+// The reader of TOML goes one level down for each part of a dotted key and each bracket.
+bool too_deep(std::string_view text) {
+    constexpr int kDeepest = 64;
+    int dots = 0, open = 0;
+    for (const char c : text) {
+        if (c == '\n') dots = 0;
+        dots += c == '.' ? 1 : 0;
+        open += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+        if (dots > 4000 || open > kDeepest) return true;
+    }
+    return false;
+}
+
+// Empty, or what its reader says.
+std::string refusal_of(std::string_view name, const std::string& bytes) {
+    if (ends_with(name, ".params")) {
+        for (const Diagnosis& one : params::parse_param_file(bytes, name).diagnoses)
+            if (one.severity() == Severity::Error) return one.text();
+    } else if (ends_with(name, ".toml")) {
+        if (too_deep(bytes)) return "nested too deeply";
+        try {
+            (void)toml::parse(bytes, name);
+        } catch (const toml::parse_error& wrong) {
+            return std::string(wrong.description());
+        }
+    } else if (ends_with(name, ".compensation")) {
+        std::vector<Diagnosis> all;
+        (void)parse_compensation(bytes, name, all);
+        for (const Diagnosis& one : all)
+            if (one.severity() == Severity::Error) return one.text();
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<RestoredFile> judge_file(const Database::File& file, const RestoreTo& to) {
+    const auto foreign = [&](const std::string& why) { return Diagnosis{Alarm::BackupForeign, {}, {}, file.name.substr(0, 200) + (why.empty() ? "" : " (" + why + ")")}; };
+    constexpr std::string_view kMachine = "machine/", kProgram = "program/";
+    const bool machine = file.name.rfind(kMachine, 0) == 0;
+    if (!machine && file.name.rfind(kProgram, 0) != 0) return foreign("");
+    const std::string relative = file.name.substr(machine ? kMachine.size() : kProgram.size());
+    if (!plain(relative)) return foreign("no name of a backup");
+    if (file.bytes.size() > kLargest) return foreign("too large");
+    if (const std::string why = refusal_of(relative, file.bytes); !why.empty()) return foreign(why);
+    RestoredFile out;
+    std::error_code none;
+    out.base = to.machine_folder.empty() ? (fs::path(to.store_folder) / "restored").string() : fs::weakly_canonical(to.machine_folder, none).string();
+    if (to.machine_folder.empty()) out.target = out.base + "/" + file.name;
+    else out.target = out.base + (machine ? "/" : "/programs/") + relative;
+    out.native = is_native(relative, file.bytes);
+    return out;
 }
 
 bool differs_from_disk(const Database::File& file, const std::string& target) {
@@ -89,10 +160,22 @@ bool differs_from_disk(const Database::File& file, const std::string& target) {
     return !read_bytes(target, now) || now != file.bytes;
 }
 
-Result<void> put_file(const std::string& target, const std::string& bytes) {
+Result<void> put_file(const RestoredFile& file, const std::string& bytes) {
+    const auto link = [&](const fs::path& path) { return Diagnosis{Alarm::BackupForeign, {}, {}, file.target + " (" + path.string() + " is a link)"}; };
     std::error_code wrong;
-    fs::create_directories(fs::path(target).parent_path(), wrong);
-    return text::replace_file(target, bytes);
+    fs::create_directories(file.base, wrong);
+    fs::path at = file.base;
+    const fs::path way = fs::path(file.target).lexically_relative(file.base);
+    for (auto part = way.begin(); part != way.end(); ++part) {
+        at /= *part;
+        const fs::file_status status = fs::symlink_status(at, wrong);
+        if (fs::is_symlink(status)) return link(at);
+        const bool last = std::next(part) == way.end();
+        if (!last && !fs::exists(status) && !fs::create_directory(at, wrong)) return Diagnosis{Alarm::OutputFile, {}, {}, at.string() + " (" + wrong.message() + ")"};
+        if (last && fs::exists(status) && !fs::is_regular_file(status)) return Diagnosis{Alarm::FileKind, {}, {}, at.string()};
+    }
+    if (fs::is_symlink(fs::symlink_status(file.target + ".new", wrong))) return link(file.target + ".new");
+    return text::replace_file(file.target, bytes);
 }
 
 Result<std::string> make_automatic_backup(Database& disk, const std::string& store_folder, const std::vector<Database::File>& files, std::size_t keep) {

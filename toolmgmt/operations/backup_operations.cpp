@@ -1,4 +1,5 @@
 // backup.to and restore.from on a running store.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -29,7 +30,7 @@ Json back_up(const Json& request, Work& work) {
     if (!work.good()) return {};
     // Only on demand: a stick that is not there must not become a folder of the computer. What cannot be made shows in the file.
     std::error_code none;
-    if (request.value("make_folder", false)) std::filesystem::create_directories(std::filesystem::path(file).parent_path(), none);
+    if (read_flag(request, "make_folder", work)) std::filesystem::create_directories(std::filesystem::path(file).parent_path(), none);
     if (const Result<void> done = work.disk->backup(file, files); !done) return work.fault(done.diagnosis()), Json();
     Json names = Json::array();
     for (const auto& one : files) names.push_back(one.name);
@@ -38,6 +39,7 @@ Json back_up(const Json& request, Work& work) {
 
 Json restore(const Json& request, Work& work) {
     std::string file = read_text(request, "file");
+    const bool preview = read_flag(request, "preview", work);
     if (file.empty() && work.disk) {
         const auto newest = newest_good_backup(std::filesystem::path(work.disk->path()).parent_path().string());
         if (!newest) return work.fault(newest.diagnosis()), Json();
@@ -55,29 +57,63 @@ Json restore(const Json& request, Work& work) {
         if (std::isnan(wanted->counters[static_cast<std::size_t>(number)])) wanted->counters[static_cast<std::size_t>(number)] = work.values.counters[static_cast<std::size_t>(number)];
     std::vector<Change> changes = changes_between(work.values, *wanted);
     Json sections = Json::object(), list = Json::array(), file_list = Json::array(), notes = Json::array();
+    for (const Diagnosis& warning : warnings) notes.push_back(warning.text());
+    const bool with_plc = read_flag(request, "with_plc", work);
+    const RestoreTo to{work.machine_folder, work.disk ? std::filesystem::path(work.disk->path()).parent_path().string() : std::string()};
+    Json native = Json::array();
+    for (auto& one : files) {
+        const auto judged = judge_file(one, to);
+        if (!judged) {
+            work.fault(judged.diagnosis());
+            continue;
+        }
+        if (!differs_from_disk(one, judged->target)) continue;
+        if (judged->native) {
+            native.push_back(judged->target);
+            if (!with_plc && !preview) work.fault(Alarm::BackupNative, judged->target);
+        }
+        file_list.push_back(judged->target);
+        work.after.push_back([file = *judged, bytes = std::move(one.bytes)] { return put_file(file, bytes); });
+    }
+    if (!work.good()) return {};
+    // A backup from before the first user: those who are there keep their rights, and nobody gets more.
+    const bool no_users = std::none_of(wanted->cells.begin(), wanted->cells.end(), [](const auto& cell) { return cell.first.kind == Kind::User; });
+    if (no_users) std::erase_if(changes, [](const Change& change) { return change.key.kind == Kind::User; });
     for (const Change& change : changes) {
         const char* section = section_of(change.key.kind);
         sections[section] = sections.value(section, 0) + 1;
         if (list.size() >= kMostShown || change.key.name == "hash") continue;
         list.push_back({{"what", describe(change.key)}, {"old", shown(change.before, change.text_before, change.is_text)}, {"new", shown(change.after, change.text_after, change.is_text)}});
     }
-    for (const Diagnosis& warning : warnings) notes.push_back(warning.text());
-    for (auto& one : files) {
-        const std::string target = target_of(one, work.machine_folder);
-        if (!differs_from_disk(one, target)) continue;
-        file_list.push_back(target);
-        work.after.push_back([target, bytes = std::move(one.bytes)] { return put_file(target, bytes); });
-    }
+    work.confirms = true;
     for (const Change& change : changes)
         if (write_value(work.values, change.key, change.after, change.text_after, change.is_text)) work.changes.push_back(change);
     if (work.disk) work.after.push_back([disk = work.disk, file] {
         const auto merged = disk->merge_history(file);
         return merged ? Result<void>() : Result<void>(merged.diagnosis());
     });
-    return {{"file", file}, {"sections", std::move(sections)}, {"changes", std::move(list)}, {"total", changes.size()}, {"files", std::move(file_list)}, {"warnings", std::move(notes)}};
+    return {{"file", file}, {"sections", std::move(sections)}, {"changes", std::move(list)}, {"total", changes.size()}, {"files", std::move(file_list)}, {"native", std::move(native)}, {"warnings", std::move(notes)}};
 }
 
 }  // namespace
+
+// {"do":"store.state"}     is everything there that was acknowledged? What is missing, and the newest backup.
+// {"do":"store.confirm"}   production goes on with what is left: the maker's.
+Json store_operation(std::string_view what, const Json&, Work& work) {
+    if (what != "state" && what != "confirm") return work.fault(Alarm::StoreRequestBad, "store." + std::string(what)), Json();
+    Json out = {{"kept", work.disk != nullptr}, {"unfit", false}};
+    if (!work.disk) return out;
+    const Database::Condition& now = work.disk->condition();
+    if (what == "confirm") {
+        work.confirms = true;
+        return out;
+    }
+    if (!now.unfit) return out;
+    const auto newest = newest_good_backup(std::filesystem::path(work.disk->path()).parent_path().string());
+    out["unfit"] = true, out["number"] = std::string(alarm_number(now.unfit->alarm, Dialect::Polyturn)), out["missing"] = now.unfit->detail;
+    out["readable"] = !now.broken, out["backup"] = newest ? *newest : std::string();
+    return out;
+}
 
 Json backup_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "to") return back_up(request, work);

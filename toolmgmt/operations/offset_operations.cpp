@@ -197,9 +197,9 @@ bool position_now(Work& work, std::int64_t channel, int field, double& out, cons
 Json set(const Json& request, Work& work) {
     Target target;
     double value = 0;
-    if (!read_target(request, work, target) || !read_real(request, "value", value, work)) return {};
+    if (!read_target(request, work, target)) return {};
     const double before = value_now(work, target);
-    if (request.value("incremental", false)) value = std::round((value + before) * 1e9) / 1e9;   // 0.8 and 0.4 are 1.2
+    if (!read_entry(request, before, describe(key_of(work, target)), value, work)) return {};
     enter(work, target, value);
     return {{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}};
 }
@@ -210,14 +210,19 @@ Json measure(const Json& request, Work& work) {
     double value = 0, position = 0;
     const AxisConfig* axis = nullptr;
     if (!read_target(request, work, target) || !read_real(request, "value", value, work) || !position_now(work, target.channel, target.field, position, axis)) return {};
-    const std::string system = request.contains("zero") ? read_text(request, "zero") : "G54";
-    const auto row = work_zero_row(system);
-    if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
-    const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
-    const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros_beside(work, target.channel, *row, *axis);
+    double zero = 0;
+    if (request.contains("zero_at")) {   // where the program has put it: what acts now is more than the table
+        if (!read_real(request, "zero_at", zero, work)) return {};
+    } else {
+        const std::string system = request.contains("zero") ? read_text(request, "zero") : "G54";
+        const auto row = work_zero_row(system);
+        if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
+        const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
+        zero = zeros[*row * kChannelAxes + axis->slot] + zeros_beside(work, target.channel, *row, *axis);
+    }
     const double before = value_now(work, target);
     // Wear stays what it is: what is measured is the sum of both.
-    const double fresh = (position - zero - value) * share(target, *axis) - (target.table == 0 ? beside(work, target) : 0.0);
+    const double fresh = (position - zero - value) * share(target, *axis) - (target.table != 1 ? beside(work, target) : 0.0);
     enter(work, target, std::round(fresh * 1e6) / 1e6);
     return {{"what", describe(key_of(work, target))}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/shortest_text.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {
@@ -28,7 +29,8 @@ constexpr Row kRows[] = {
     {"users.login", UserLevel::None, user_operation},      {"users.password", UserLevel::None, user_operation}, {"users.", UserLevel::Maker, user_operation},
     {"pallets.list", UserLevel::None, pallet_operation},   {"pallets.", UserLevel::Operator, pallet_operation}, {"backup.", UserLevel::Setter, backup_operation},
     {"compensation.", UserLevel::Maker, compensation_operation},
-    {"restore.", UserLevel::Maker, backup_operation},      {"stops.", UserLevel::None, stop_operation},          {"alarms.", UserLevel::None, alarm_operation},
+    {"restore.", UserLevel::Maker, backup_operation},      {"store.state", UserLevel::None, store_operation},  {"store.", UserLevel::Maker, store_operation},
+         {"stops.", UserLevel::None, stop_operation},          {"alarms.", UserLevel::None, alarm_operation},
 };
 
 constexpr const char* kLevelNames[] = {"none", "operator", "setter", "maker"};
@@ -79,17 +81,66 @@ std::string read_text(const Json& request, const char* key) {
 
 bool read_real(const Json& request, const char* key, double& out, Work& work, bool needed) {
     const auto at = request.find(key);
-    if (at != request.end() && at->is_number()) return out = at->get<double>(), true;
-    if (at != request.end() && at->is_string()) {
-        const std::string text = at->get<std::string>();
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        if (!text.empty() && *end == 0 && std::isfinite(value)) return out = value, true;
-        work.fault(Alarm::StoreRequestBad, std::string(key) + "=" + text + ": not a number", 0, key);
+    if (at == request.end()) {
+        if (needed) work.fault(Alarm::StoreRequestBad, std::string(key) + " is missing", 0, key);
         return false;
     }
-    if (needed) work.fault(Alarm::StoreRequestBad, std::string(key) + " is missing", 0, key);
+    if (at->is_number()) {
+        const double value = at->get<double>();
+        if (std::isfinite(value)) return out = value, true;
+    }
+    const std::string text = at->is_string() ? at->get<std::string>() : std::string();
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(value)) return out = value, true;
+    work.fault(Alarm::StoreRequestBad, std::string(key) + "=" + (at->is_string() ? text.substr(0, 60) : std::string(at->type_name())) + ": not a number", 0, key);
     return false;
+}
+
+bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work) {
+    double expected = 0;
+    if (request.contains("expected")) {
+        if (!read_real(request, "expected", expected, work)) return false;
+        if (std::abs(expected - present) > 5e-7) return work.fault(Alarm::StoreRequestBad, what + " is " + shortest_text(present) + " by now, not " + shortest_text(expected), 0, "expected"), false;
+    }
+    const bool delta = request.contains("delta");
+    if (delta && request.contains("value")) return work.fault(Alarm::RequestBad, "value or delta, not both", 0, "delta"), false;
+    const bool added = read_flag(request, "incremental", work) || delta;
+    if (!work.good() || !read_real(request, delta ? "delta" : "value", out, work)) return false;
+    if (added) out = std::round((present + out) * 1e9) / 1e9;
+    return true;
+}
+
+bool read_flag(const Json& request, const char* key, Work& work) {
+    const auto at = request.find(key);
+    if (at == request.end()) return false;
+    if (at->is_boolean()) return at->get<bool>();
+    work.fault(Alarm::RequestBad, std::string(key) + ": true or false is wanted", 0, key);
+    return false;
+}
+
+Json read_object(const Json& request, const char* key, Work& work) {
+    const auto at = request.find(key);
+    if (at == request.end()) return Json::object();
+    if (at->is_object()) return *at;
+    work.fault(Alarm::RequestBad, std::string(key) + ": an object is wanted", 0, key);
+    return Json::object();
+}
+
+Result<Json> parse_request(std::string_view text) {
+    if (text.size() > kLargestRequest) return Diagnosis{Alarm::RequestTooMany, {}, {}, "a request of " + std::to_string(text.size()) + " characters, at most " + std::to_string(kLargestRequest)};
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') ++i;
+        else if (c == '"') quoted = !quoted;
+        else if (!quoted && (c == '{' || c == '[') && ++depth > kDeepestRequest) return Diagnosis{Alarm::TextTooDeep, {}, {}, "a request of more than " + std::to_string(kDeepestRequest) + " levels"};
+        else if (!quoted && (c == '}' || c == ']')) --depth;
+    }
+    Json out = Json::parse(text, nullptr, false);
+    if (out.is_discarded() || !out.is_object()) return Diagnosis{Alarm::StoreRequestBad, {}, {}, "not a JSON object"};
+    return out;
 }
 
 bool read_whole(const Json& request, const char* key, std::int64_t& out, Work& work, bool needed) {

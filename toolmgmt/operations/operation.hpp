@@ -7,8 +7,10 @@
 // find, and everything is taken back: all of it or nothing. What it changed is on disk before the answer says ok.
 #pragma once
 
+#include <chrono>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -47,6 +49,24 @@ struct Touch {
     double slide_at = 0;       // an inclined X slide at that moment, its own coordinate
 };
 
+// Wrong log-ins cost their sender time, and nobody else: a password is hashed only now and then, the others are refused at once.
+class LoginLimit {
+public:
+    using Clock = std::chrono::steady_clock;
+    // Seconds to wait; 0: the password may be looked at. `user`: 0 for a name that does not exist.
+    double wait(std::int32_t user, Clock::time_point now) const;
+    void wrong(std::int32_t user, Clock::time_point now);
+    void forget(std::int32_t user) { tries_.erase(user); }
+
+private:
+    struct Try {
+        int count = 0;
+        Clock::time_point next{};
+    };
+    std::map<std::int32_t, Try> tries_;
+    Clock::time_point next_{};
+};
+
 // One operation at work.
 struct Work {
     StoreValues& values;
@@ -62,11 +82,18 @@ struct Work {
     bool keep = false;                                // what changed stays though the answer is a refusal (failed logins)
     std::vector<std::function<Result<void>()>> after; // once the changes are on disk
     std::string compensation_file = {};               // of measured errors; empty: the machine has no folder, or stays as it is
+    LoginLimit* logins = nullptr;                     // nullptr: every password is looked at
+    bool confirms = false;                            // what was lost is no longer missed once the changes are on disk
 
     void fault(Diagnosis diagnosis, int row = 0, std::string column = {}) { faults.push_back({std::move(diagnosis), row, std::move(column)}); }
     void fault(Alarm alarm, std::string detail, int row = 0, std::string column = {}) { fault(Diagnosis{alarm, {}, {}, std::move(detail)}, row, std::move(column)); }
     bool good() const { return faults.empty(); }
 };
+
+// A request as an object, or why it is none: too long, nested too deeply, no JSON.
+Result<Json> parse_request(std::string_view text);
+inline constexpr std::size_t kLargestRequest = std::size_t{4} << 20;
+inline constexpr int kDeepestRequest = 32;
 
 // The answer without "ok". What is wrong stands in work.faults.
 Json run_operation(const Json& request, Work& work);
@@ -86,11 +113,20 @@ Json user_operation(std::string_view what, const Json& request, Work& work);
 Json pallet_operation(std::string_view what, const Json& request, Work& work);
 Json compensation_operation(std::string_view what, const Json& request, Work& work);
 Json backup_operation(std::string_view what, const Json& request, Work& work);
+Json store_operation(std::string_view what, const Json& request, Work& work);
 
 // "what" or a fault that says which key is missing or of the wrong kind.
 bool read_whole(const Json& request, const char* key, std::int64_t& out, Work& work, bool needed = true);
 bool read_real(const Json& request, const char* key, double& out, Work& work, bool needed = true);
 std::string read_text(const Json& request, const char* key);
+// Missing is false; anything but true and false is a fault.
+bool read_flag(const Json& request, const char* key, Work& work);
+// Missing is an empty object; anything but an object is a fault.
+Json read_object(const Json& request, const char* key, Work& work);
+
+// What is entered: «value», or «delta» on top of `present` (and «value» with «incremental»), whoever wrote `present` in between. With
+// «expected» it is refused when something else stands there. False: a fault tells why. Rounded to a billionth, so that 0.8 and 0.4 are 1.2.
+bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work);
 
 // What has been computed, for people: to a millionth of its unit.
 inline double rounded(double value) { return std::round(value * 1e6) / 1e6; }

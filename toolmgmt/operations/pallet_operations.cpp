@@ -94,7 +94,7 @@ Json pallet_operation(std::string_view what, const Json& request, Work& work) {
     };
     if (!read_row("row", row)) return {};
     if (what == "set") {
-        set_row(work, layout, static_cast<std::int32_t>(row), request.value("fields", Json::object()));
+        set_row(work, layout, static_cast<std::int32_t>(row), read_object(request, "fields", work));
         return row_json(work.values, layout, static_cast<std::int32_t>(row));
     }
     if (what == "exchange") {   // whole rows: what stands there goes along with its program

@@ -125,7 +125,7 @@ Json dimension(const Work& work, std::int32_t number) {
 }
 
 bool read_fields(Work& work, const Json& request, std::int32_t number, bool fresh) {
-    const Json fields = request.value("fields", Json::object());
+    const Json fields = read_object(request, "fields", work);
     for (const auto& [name, value] : fields.items()) {
         if (name == "name" || name == "axis") {
             const std::string text = read_text(fields, name.c_str());
@@ -192,8 +192,8 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
         set_value(values, dimension_key(number, "count"), count + 1, work.changes);
     } else if (what == "accept") {
         const Json now = dimension(work, number);
-        double correction = now.value("proposal", 0.0);
-        if (!now.contains("proposal")) return work.fault(Alarm::StoreRequestBad, "nothing was measured since the last correction"), Json();
+        double correction = 0;
+        if (!now.contains("proposal") || !read_real(now, "proposal", correction, work)) return work.fault(Alarm::StoreRequestBad, "nothing was measured since the last correction"), Json();
         read_real(request, "value", correction, work, false);
         const double limit = value_of(values, number, "limit", 0.05);
         if (std::fabs(correction) > limit) return work.fault(Alarm::StoreRequestBad, "a correction of " + shortest_text(correction) + " mm: at most " + shortest_text(limit), 0, "value"), Json();

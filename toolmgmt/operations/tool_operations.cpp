@@ -300,7 +300,7 @@ Json tool_operation(std::string_view what, const Json& request, Work& work) {
     if (what != "show" && what != "set" && what != "delete") return work.fault(Alarm::StoreRequestBad, "tools." + std::string(what)), Json();
     const std::int32_t number = which(request, work);
     if (!number) return {};
-    if (what == "set") set_fields(work, number, request.value("fields", Json()), 0);
+    if (what == "set") set_fields(work, number, request.contains("fields") ? request["fields"] : Json(), 0);
     if (what == "delete") {
         if (!works(work.values, number, work, "deleted")) remove_tool(work, number);
         return {{"tool", number}};

@@ -61,6 +61,7 @@ bool good_password(const std::string& password, Work& work) {
 bool set_password(Work& work, std::int32_t user, const std::string& password) {
     if (!good_password(password, work)) return false;
     const std::string hash = fresh_hash(password);
+    if (work.logins) work.logins->forget(user);
     if (hash.empty()) return work.fault(Alarm::StoreRequestBad, "the password cannot be hashed"), false;
     set_text(work.values, key_of(user, "hash"), hash, work.changes);
     set_value(work.values, key_of(user, "failures"), std::nan(""), work.changes);
@@ -79,11 +80,18 @@ std::int32_t log_in(const Json& request, Work& work) {
             work.fault(Diagnosis{Alarm::LoginLocked, {}, {std::ceil(until - now), 0}, {}});
             return 0;
         }
+    const auto moment = LoginLimit::Clock::now();
+    if (work.logins)
+        if (const double wait = work.logins->wait(user, moment); wait > 0) {
+            work.fault(Diagnosis{Alarm::LoginLocked, {}, {std::ceil(wait), 0}, {}});
+            return 0;
+        }
     // A name that does not exist takes as long as a wrong password.
     static const std::string kNobody = fresh_hash("nobody at all");
     const std::string stored = hash ? hash->text : kNobody;
     const bool right = equal(hash_of(password.substr(0, kLongest), stored.c_str()), stored) && hash;
     work.keep = true;
+    if (work.logins) right ? work.logins->forget(user) : work.logins->wrong(user, LoginLimit::Clock::now());
     if (right) {
         set_value(work.values, key_of(user, "failures"), std::nan(""), work.changes);
         set_value(work.values, key_of(user, "locked_until"), std::nan(""), work.changes);
@@ -113,6 +121,19 @@ bool set_level(Work& work, std::int32_t user, const std::string& level) {
 }
 
 }  // namespace
+
+double LoginLimit::wait(std::int32_t user, Clock::time_point now) const {
+    const auto at = tries_.find(user);
+    const Clock::time_point until = std::max(next_, at == tries_.end() ? Clock::time_point{} : at->second.next);
+    return until > now ? std::chrono::duration<double>(until - now).count() : 0.0;
+}
+
+// A hash takes some 50 ms of the store's time: five of them a second at the most, whoever asks. One user waits 1, 2, 4, … 32 s.
+void LoginLimit::wrong(std::int32_t user, Clock::time_point now) {
+    Try& one = tries_[user];
+    one.next = now + std::chrono::seconds(1) * (1 << std::min(one.count++, 5));
+    next_ = now + std::chrono::milliseconds(200);
+}
 
 Json user_operation(std::string_view what, const Json& request, Work& work) {
     StoreValues& values = work.values;
@@ -165,9 +186,8 @@ Json user_operation(std::string_view what, const Json& request, Work& work) {
         return {{"user", user}, {"name", name}};
     }
     if (what == "delete") {
-        bool others = false;
-        for (std::int32_t other = 1; other <= static_cast<std::int32_t>(kUsers); ++other) others = others || (other != user && values.cell(key_of(other, "name")));
-        if (others && number_of(values, user, "level", 0) >= 3 && !another_maker(values, user)) return work.fault(Alarm::StoreRequestBad, name + " is the only maker", 0, "name"), Json();
+        // Without any user everybody would be a maker: that is how a store begins, and it never comes back to it.
+        if (number_of(values, user, "level", 0) >= 3 && !another_maker(values, user)) return work.fault(Alarm::StoreRequestBad, name + " is the only maker", 0, "name"), Json();
         for (const char* column : {"level", "failures", "locked_until", "uid"}) set_value(values, key_of(user, column), std::nan(""), work.changes);
         for (const char* column : {"name", "hash"}) set_text(values, key_of(user, column), {}, work.changes);
         return {{"user", user}, {"name", name}};

@@ -45,11 +45,11 @@ const AxisConfig* read_axis(const Json& request, Work& work, unsigned channel) {
 }
 
 // Writes one value and tells it; `value` as the table shows it.
-Json enter(Work& work, unsigned channel, std::size_t row, const AxisConfig& axis, double value, Json more = Json::object()) {
+Json enter(Work& work, unsigned channel, std::size_t row, const AxisConfig& axis, double value, Json more = Json::object(), double parts = 1e6) {
     const Key key{Kind::WorkZero, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(row), axis.slot, {}};
     const double* now = number_at(work.values, key);
     if (!now) return work.fault(Alarm::StoreRequestBad, "there is no such zero offset"), Json();
-    const double before = *now, fresh = rounded(value) + 0.0;
+    const double before = *now, fresh = std::round(value * parts) / parts + 0.0;
     constexpr double kMost = 1e5;   // mm: no slide is so long
     if (!(std::fabs(fresh) <= kMost)) return work.fault(Alarm::StoreRequestBad, "a zero offset of " + std::to_string(fresh) + " mm"), Json();
     set_value(work.values, key, fresh, work.changes);
@@ -84,9 +84,26 @@ Json set(const Json& request, Work& work) {
     double value = 0;
     if (!read_channel(request, work, channel) || !read_system(request, work, row)) return {};
     const AxisConfig* axis = read_axis(request, work, channel);
-    if (!axis || !read_real(request, "value", value, work)) return {};
-    if (request.value("incremental", false)) value += work.values.channels[channel - 1].zeros[row * kChannelAxes + axis->slot];
-    return enter(work, channel, row, *axis, value);
+    if (!axis || !read_entry(request, work.values.channels[channel - 1].zeros[row * kChannelAxes + axis->slot], "L" + std::to_string(channel) + " " + work_zero_name(row) + " " + std::string(axis->name_text()), value, work)) return {};
+    return enter(work, channel, row, *axis, value, Json::object(), 1e9);
+}
+
+// What stands at the tool's tip is to be `value` (0 where nothing is said). «length»: what the tool takes from the axis just now, also one
+// that a program before has left; as positions are displayed.
+Json here(const Json& request, Work& work) {
+    unsigned channel = 1;
+    std::size_t row = 0;
+    double value = 0, length = 0;
+    if (!read_channel(request, work, channel) || !read_system(request, work, row)) return {};
+    const AxisConfig* axis = read_axis(request, work, channel);
+    if (!axis) return {};
+    read_real(request, "value", value, work, false);
+    read_real(request, "length", length, work, false);
+    if (!work.good()) return {};
+    const auto position = upright_position(work, channel, *axis);
+    if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), Json();
+    const double machine = *position * (axis->diameter ? 2.0 : 1.0);
+    return enter(work, channel, row, *axis, machine - length - value - zeros_beside(work, channel, row, *axis), {{"machine", machine}, {"length", length}});
 }
 
 // What the tool of this offset takes from the axis, as positions are displayed; 0 for no offset.
@@ -178,6 +195,7 @@ Json zero_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "list") return list_zeros(request, work);
     if (what == "set") return set(request, work);
     if (what == "measure") return measure(request, work);
+    if (what == "here") return here(request, work);
     if (what == "touch") return touch(request, work);
     return work.fault(Alarm::StoreRequestBad, "zeros." + std::string(what)), Json();
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <fcntl.h>
+#include <sqlite3.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -22,6 +23,14 @@
 #include "tests/places.hpp"
 
 namespace polyturn::test {
+
+// A store as a version left it that promised nothing: somebody may have worked on its file with other tools.
+inline void forget_promises(const std::string& folder) {
+    for (const char* name : {"store.witness", "store.sums"}) std::filesystem::remove(folder + "/" + name);
+    sqlite3* db = nullptr;
+    if (sqlite3_open((folder + "/store.sqlite").c_str(), &db) == SQLITE_OK) sqlite3_exec(db, "UPDATE promise SET commits = 0", nullptr, nullptr, nullptr);
+    sqlite3_close(db);
+}
 
 class StoreRig {
 public:
