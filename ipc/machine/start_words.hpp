@@ -13,7 +13,7 @@ struct StartWords {
     std::string_view remedy;
 };
 
-inline constexpr std::array<StartWords, 21> kStartWords{{
+inline constexpr std::array<StartWords, 22> kStartWords{{
     {"process", "the channel's process is not there", "wait until it is started again, then reset"},
     {"emergency_stop", "the emergency stop is active", "release it and switch the machine on"},
     {"machine_on", "the machine is not switched on", "switch it on"},
