@@ -410,7 +410,7 @@ TEST(MotionStarts, AReturnThatWasPressedInAnEmergencyStopIsNotMadeAfterIt) {
     rig.command(CommandKind::MachineOn);
     rig.run(2000);
     ASSERT_TRUE(rig.machine->core().on());
-    EXPECT_EQ(rig.position(1), at);
+    EXPECT_NEAR(rig.position(1), at, 1e-3);   // where the drive has stood when its loop closed
 }
 
 TEST(MotionStarts, NoReferenceRunBehindAnOpenDoor) {

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 #include "kernel/gate/motion_gate.hpp"
 #include "tests/places.hpp"
@@ -60,6 +61,14 @@ struct Doors : TickRig {
         return n;
     }
 };
+
+// When a loop closes an axis is commanded to where it stands, which is not to the last digit where it was commanded to.
+double farthest(const std::array<double, 8>& a, const std::array<double, 8>& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::fmax(most, std::fabs(a[i] - b[i]));
+    return most;
+}
+constexpr double kStands = 1e-3;   // mm
 
 struct Walk {
     Door door;
@@ -120,7 +129,7 @@ const std::vector<Walk>& walks() {
 // Rows that need a machine of their own; each is walked by a test with that.
 const std::vector<std::pair<Door, std::string>> kElsewhere{
     {Door::Positioning, "TEST(Beside, PositioningAxisOfAProgramRunsWhileItCutsAndIsWaitedFor)"},
-    {Door::FollowUp, "TEST(MotionStarts, FollowingUpGoesBackOnlyWhereThePlcSaysSo)"},
+    {Door::FollowUp, "TEST(MotionStarts, ALoopThatClosesMovesNothing)"},
     {Door::StopRelease, "TEST(MotionStarts, TheWayBackFromAFixedStopIsDrivenOnlyWhileTheMachineIsOn)"},
     {Door::GearRetract, "    def test_the_plc_takes_it_out_of_the_work(self)"},
     {Door::PlcSpindle, "TEST(Interlocks, ASpindleDoesNotStartWithAnOpenChuckNorBehindAnOpenDoor)"},
@@ -157,12 +166,12 @@ void stands(const Walk& walk, const char* why, const std::function<void(Doors&)>
     const int said = rig.refusals(refusal) + rig.refusals(Alarm::MdiRefused);
     walk.ask(rig);
     rig.run(300);
-    EXPECT_EQ(rig.places(), before);
+    EXPECT_LT(farthest(rig.places(), before), kStands);
     if (row_of(walk.door).refusal) { EXPECT_GT(rig.refusals(refusal) + rig.refusals(Alarm::MdiRefused), said) << "refused, and said"; }
     if (!take_away) return;
     take_away(rig);
     rig.run(500);
-    EXPECT_EQ(rig.places(), before) << "nothing was kept (G3)";
+    EXPECT_LT(farthest(rig.places(), before), kStands) << "nothing was kept (G3)";
 }
 
 TEST(MotionStarts, EachDoorOpensWhereItMay) {
@@ -174,7 +183,7 @@ TEST(MotionStarts, EachDoorOpensWhereItMay) {
         walk.ask(rig);
         rig.run(300);
         bool moved = false;
-        for (std::size_t i = walk.program_moves ? 4 : 0; i < 8; ++i) moved = moved || rig.places()[i] != before[i];
+        for (std::size_t i = walk.program_moves ? 4 : 0; i < 8; ++i) moved = moved || std::fabs(rig.places()[i] - before[i]) > kStands;
         EXPECT_TRUE(moved);
     }
 }
@@ -222,20 +231,18 @@ TEST(MotionStarts, TheDocumentSaysTheSame) {
     EXPECT_NE(document.find(expected), std::string::npos) << "the table is to be:\n" << expected;
 }
 
-TEST(MotionStarts, FollowingUpGoesBackOnlyWhereThePlcSaysSo) {
-    for (const bool goes_back : {false, true}) {
-        Doors rig;
-        rig.set(signals::ap_flwu(1), goes_back);
-        rig.command(CommandKind::Jog, 0, 1, 0, 1);
-        rig.run(300);
-        rig.set(signals::ap_opnr(1), 1);
-        rig.run(600);
-        const auto away = rig.places();
-        rig.set(signals::ap_opnr(1), 0);
-        rig.run(50);
-        const bool moves = rig.machine->core().axes[0].moving();
-        EXPECT_EQ(moves, goes_back && away[0] != rig.places()[0]);
-    }
+// Without AP_FLWU and N0514 #5.
+TEST(MotionStarts, ALoopThatClosesMovesNothing) {
+    Doors rig;
+    rig.command(CommandKind::Jog, 0, 1, 0, 1);
+    rig.run(300);
+    rig.set(signals::ap_opnr(1), 1);
+    rig.run(1500);
+    rig.set(signals::ap_opnr(1), 0);
+    rig.run(5);
+    const auto there = rig.places();
+    rig.run(500);
+    EXPECT_LT(farthest(rig.places(), there), kStands);
 }
 
 TEST(MotionStarts, TheWayBackFromAFixedStopIsDrivenOnlyWhileTheMachineIsOn) {
