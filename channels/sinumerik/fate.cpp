@@ -22,7 +22,7 @@ Fate fate_of(const GCode& row) {
 Fate fate_of(const Address& row) {
     using I = Interpreter;
     if (row.use == Address::Use::Refused) return Fate::Refused;
-    if (is_one_of(row.act, {&I::a_without_effect, &I::a_rounding, &I::a_handwheel_feed})) return Fate::Warns;
+    if (is_one_of(row.act, {&I::a_without_effect, &I::a_rounding, &I::a_handwheel_feed, &I::a_thread_ramp})) return Fate::Warns;
     return is_one_of(row.act, {&I::a_as_machine, &I::a_no_holder}) ? Fate::AsMachine : Fate::Acts;
 }
 
@@ -30,6 +30,7 @@ Fate fate_of(const Command& row) {
     using I = Interpreter;
     if (!row.act) return Fate::Refused;
     if (is_one_of(row.act, {&I::p_without_effect, &I::p_profile_without_effect, &I::p_spindle_control, &I::p_action_reset, &I::p_cycle_steps})) return Fate::Warns;
+    if (row.name == "TLIFT") return Fate::AsMachine;   // a tangential axis is turned between two blocks anyway
     return is_one_of(row.act, {&I::p_as_machine, &I::p_soft_axes, &I::p_spindle_speed, &I::p_master_holder, &I::p_geometry_axes, &I::p_swivel}) ? Fate::AsMachine : Fate::Acts;
 }
 
