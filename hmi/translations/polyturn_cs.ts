@@ -5659,7 +5659,7 @@
         <translation>není zvolen žádný program</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>bez ref.</translation>
     </message>
@@ -5894,6 +5894,11 @@
         <translation>odstraňte příčinu, pak reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>obnovte zálohu, nebo ať výrobce potvrdí, co zbylo</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>ot</translation>
@@ -6055,6 +6060,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>úložiště ztratilo data: bez výroby</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>úložiště neběží: nic by se neuložilo</translation>
     </message>
@@ -6119,7 +6129,7 @@
         <translation>soustružnický vrták</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>otáčí se jako vřeteno S%1</translation>
     </message>

@@ -5659,7 +5659,7 @@
         <translation>nincs kiválasztott program</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>nincs ref.</translation>
     </message>
@@ -5894,6 +5894,11 @@
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>állítson vissza egy mentést, vagy a gyártó hagyja jóvá, ami megmaradt</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>ford</translation>
@@ -6055,6 +6060,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>a tároló adatokat vesztett: nincs gyártás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>a tároló nem fut: semmi nem maradna meg</translation>
     </message>
@@ -6119,7 +6129,7 @@
         <translation>esztergafúró</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>S%1 orsóként forog</translation>
     </message>

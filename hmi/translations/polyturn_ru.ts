@@ -5659,7 +5659,7 @@
         <translation>программа не выбрана</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>нет реф.</translation>
     </message>
@@ -5894,6 +5894,11 @@
         <translation>устраните причину, затем сброс</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>восстановите резервную копию или пусть изготовитель подтвердит остаток</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>об</translation>
@@ -6055,6 +6060,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>хранилище потеряло данные: работы нет</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>хранилище не работает: ничего не сохранится</translation>
     </message>
@@ -6119,7 +6129,7 @@
         <translation>токарное сверло</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>вращается как шпиндель S%1</translation>
     </message>
