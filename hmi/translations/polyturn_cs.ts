@@ -5974,6 +5974,11 @@
         <translation>odstraňte příčinu, pak reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>obnovte zálohu, nebo ať výrobce potvrdí, co zbylo</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>ot</translation>
@@ -6137,6 +6142,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>reset neskončil</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>úložiště ztratilo data: bez výroby</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -5974,6 +5974,11 @@
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>állítson vissza egy mentést, vagy a gyártó hagyja jóvá, ami megmaradt</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>ford</translation>
@@ -6137,6 +6142,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>a reset még tart</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>a tároló adatokat vesztett: nincs gyártás</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -5974,6 +5974,11 @@
         <translation>устраните причину, затем сброс</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>восстановите резервную копию или пусть изготовитель подтвердит остаток</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>об</translation>
@@ -6137,6 +6142,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>сброс не закончен</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>хранилище потеряло данные: работы нет</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

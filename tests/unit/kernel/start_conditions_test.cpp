@@ -21,6 +21,7 @@ const std::map<std::string_view, Fault>& faults() {
         {"machine_on", {[](TickRig& rig, StartView&) { rig.machine->core().state = MachineState::Off; }, "not switched on"}},
         {"no_stop", {[](TickRig& rig, StartView&) { rig.machine->core().all_stop = true; }, "stopped by an alarm"}},
         {"store", {[](TickRig& rig, StartView&) { rig.machine->core().store_dead = true; }, "store"}},
+        {"store_whole", {[](TickRig& rig, StartView&) { rig.machine->core().store_unfit = true; }, "lost data"}},
         {"reset_over", {[](TickRig&, StartView& v) { v.resting = false; }, "reset"}},
         {"by_hand", {[](TickRig& rig, StartView&) { rig.machine->core().jogging = 1; }, "by hand"}},
         {"back_on_path", {[](TickRig&, StartView& v) { v.away = true; }, "press return"}},

@@ -137,6 +137,26 @@ TEST(ToolDesk, WhatTheStoreCouldNotKeepIsToldTheOperator) {
     EXPECT_EQ(d.rig.state(1), ChannelState::Ended) << "the program goes on, and answers behind it are taken";
 }
 
+// Data were lost: said, and nothing starts until somebody has confirmed it.
+TEST(ToolDesk, AStoreThatHasLostDataStartsNothingUntilItIsWholeAgain) {
+    Desk d;
+    ToolAnswer message{};
+    message.alarm = kStoreUnfit, message.tool = static_cast<int>(Alarm::StoreLost);
+    d.say(message);
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.run(10);
+    EXPECT_TRUE(d.rig.alarmed(Alarm::StoreLost));
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_NE(d.rig.state(1), ChannelState::Ended);
+    message.alarm = kStoreWhole;
+    d.say(message);
+    d.run(10);
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended);
+}
+
 TEST(ToolDesk, ANumberThatIsNoAlarmsIsARefusalToo) {
     Desk d;
     d.tools = {Desk::tool(7, 4, LifeKind::None, kEver)};

@@ -1,5 +1,6 @@
 // A store that was damaged, cut or robbed of a file says so at its start: no production, and nobody has more rights than before.
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -260,6 +261,55 @@ TEST(StoreFiles, FoldTheLogInWhenNobodyWantsAnything) {
     bool folded = false;
     for (int i = 0; i < 3000 && !folded; ++i, usleep(10'000)) folded = fs::file_size(folder + "/store.sqlite-wal") == 0;
     EXPECT_TRUE(folded);
+}
+
+// What a backup names is judged before anything is written: nothing leaves the machine's folder, native code is asked for.
+TEST(Restore, WritesOnlyWhatABackupOfThisProductHolds) {
+    StoreRig rig("foreign-backup");
+    const std::string machine = rig.folder + "/machine", outside = rig.folder + "/outside";
+    fs::copy(kMachine, machine, fs::copy_options::recursive);
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", machine})) << rig.messages();
+    const std::string good = rig.folder + "/good.ptb";
+    ASSERT_TRUE(operate(rig, {{"do", "backup.to"}, {"file", good}}).value("ok", false));
+    const auto spoil = [&](const std::string& sql) {
+        const std::string file = rig.folder + "/bad.ptb";
+        fs::copy_file(good, file, fs::copy_options::overwrite_existing);
+        sqlite3* db = nullptr;
+        EXPECT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
+        EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql << sqlite3_errmsg(db);
+        sqlite3_close(db);
+        return operate(rig, {{"do", "restore.from"}, {"file", file}});
+    };
+    const auto file = [](const std::string& name, const std::string& path, const std::string& bytes) { return "INSERT INTO backup_files VALUES('" + name + "','" + path + "',CAST('" + bytes + "' AS BLOB))"; };
+    for (const std::string& name : {std::string("evil"), std::string("machine/../../outside"), std::string("machine//outside"), std::string("machine/.hidden"), std::string("/etc/x"), std::string("machine/a/../../../outside")}) {
+        const Json told = spoil(file(name, outside, "x"));
+        EXPECT_EQ(told.value("number", ""), "PT0441") << name << told.dump();
+    }
+    EXPECT_EQ(spoil(file("machine/more.params", outside, "N99999 = what")).value("number", ""), "PT0441");
+    EXPECT_EQ(spoil(file("machine/more.toml", outside, "a = [")).value("number", ""), "PT0441");
+    EXPECT_EQ(spoil("CREATE VIEW v AS SELECT 1").value("number", ""), "PT0441");
+    EXPECT_EQ(spoil("CREATE TRIGGER t AFTER INSERT ON history BEGIN DELETE FROM records; END").value("number", ""), "PT0441");
+    EXPECT_EQ(spoil(file("machine/plc.so", outside, "x")).value("number", ""), "PT0442");
+    EXPECT_FALSE(fs::exists(machine + "/plc.so"));
+    fs::create_directory(rig.folder + "/elsewhere");
+    fs::create_directory_symlink(rig.folder + "/elsewhere", machine + "/link");
+    EXPECT_FALSE(spoil(file("machine/link/x.txt", outside, "x")).value("ok", true));
+    EXPECT_TRUE(fs::is_empty(rig.folder + "/elsewhere"));
+    EXPECT_TRUE(spoil(file("program/part.nc", outside, "M30")).value("ok", false));
+    EXPECT_EQ(content(machine + "/programs/part.nc"), "M30");
+    EXPECT_FALSE(fs::exists(outside)) << "the path that the backup names is not the place";
+    EXPECT_TRUE(operate(rig, {{"do", "restore.from"}, {"file", good}}).value("ok", false));
+    // Spoilt at random: refused or read, never a death.
+    std::mt19937 random(3);
+    const std::string bytes = content(good);
+    for (int i = 0; i < 60; ++i) {
+        std::string spoilt = bytes.substr(0, i % 4 ? bytes.size() : random() % bytes.size());
+        for (int k = 0; k < 40 && !spoilt.empty(); ++k) spoilt[random() % spoilt.size()] = static_cast<char>(random());
+        put(rig.folder + "/bad.ptb", spoilt);
+        const Json told = operate(rig, {{"do", "restore.from"}, {"file", rig.folder + "/bad.ptb"}, {"preview", true}});
+        ASSERT_TRUE(told.is_object()) << i << rig.messages();
+    }
+    EXPECT_FALSE(rig.ended());
 }
 
 TEST(StoreRequests, ThatAreNoneAreRefusedAndTheStoreLives) {

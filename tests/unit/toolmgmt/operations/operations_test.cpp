@@ -1,3 +1,4 @@
+#include <random>
 // Operations of the store: all of it or nothing, every fault named.
 #include "../tools/tool_rig.hpp"
 #include "ipc/machine/store_requests.hpp"
@@ -284,6 +285,48 @@ TEST(Answers, OfAChannelAreThoseOfItsCalls) {
     EXPECT_EQ(rig.answer["others"], Json::array());
     EXPECT_FALSE(rig.run({{"do", "tools.answers"}, {"channel", 9}}, UserLevel::None));
     EXPECT_EQ(rig.faults[0].column, "channel");
+}
+
+// What a program, a measured part and the operator add to one wear in any order is all in it: the store adds, nobody's old value comes back.
+TEST(Offsets, AddUpWhoeverWritesInBetween) {
+    ToolRig rig;
+    std::mt19937 random(12);
+    double sum = 0;
+    const Json wear{{"do", "offsets.set"}, {"channel", 1}, {"number", 3}, {"table", "wear"}, {"field", "X"}};
+    for (int i = 0; i < 1000; ++i) {
+        double step = static_cast<double>(static_cast<int>(random() % 21) - 10) / 1000;
+        if (std::abs(sum + step) > 0.9) step = -step;
+        if (random() % 2) {   // a program's G10, which writes the value that it has computed
+            rig.values->channels[0].offsets[3].wear[0] = std::round((rig.values->channels[0].offsets[3].wear[0] + step) * 1e9) / 1e9;
+        } else {
+            Json added = wear;
+            added["delta"] = step;
+            ASSERT_TRUE(rig.run(added)) << rig.said();
+            EXPECT_NEAR(rig.answer["new"].get<double>() - rig.answer["old"].get<double>(), step, 1e-12);
+        }
+        sum += step;
+        ASSERT_NEAR(rig.values->channels[0].offsets[3].wear[0], sum, 1e-9);
+    }
+    Json expects = wear;
+    expects["value"] = 0.1, expects["expected"] = sum + 0.01;
+    EXPECT_FALSE(rig.run(expects)) << "something else stands there by now";
+    expects["expected"] = rig.values->channels[0].offsets[3].wear[0];
+    EXPECT_TRUE(rig.run(expects)) << rig.said();
+    Json both = wear;
+    both["value"] = 0.1, both["delta"] = 0.1;
+    EXPECT_FALSE(rig.run(both));
+}
+
+TEST(Users, WrongLoginsCostTheStoreNoTime) {
+    ToolRig rig;
+    toolmgmt::LoginLimit limit;
+    auto now = toolmgmt::LoginLimit::Clock::now();
+    int looked = 0;
+    for (int i = 0; i < 10'000; ++i, now += std::chrono::milliseconds(1))   // ten seconds, a thousand log-ins a second of twenty users
+        if (limit.wait(i % 20, now) == 0) limit.wrong(i % 20, now), ++looked;
+    EXPECT_LE(looked, 50);
+    EXPECT_GT(limit.wait(1, now), 0);
+    EXPECT_EQ(limit.wait(1, now + std::chrono::seconds(60)), 0);
 }
 
 }  // namespace
