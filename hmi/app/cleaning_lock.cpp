@@ -31,10 +31,12 @@ bool CleaningLock::stopped() const {
     return desk_.live.connected() && (step == MachineStep::EmergencyStop || step == MachineStep::Stopped);
 }
 
-// One that stood before the cleaning was begun is known.
+// One that stood before the cleaning was begun is known; of a key that was refused nothing has come.
 bool CleaningLock::alarmHasCome() const {
-    const AlarmEntry* alarm = desk_.live.connected() ? desk_.alarms.standing() : nullptr;
-    return (stopped() && !stoppedBefore_) || (alarm && alarm->heard_ms >= begun_ms_);
+    if (!desk_.live.connected()) return false;
+    const auto& all = desk_.alarms.all();
+    return (stopped() && !stoppedBefore_) ||
+           std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) { return one.standing && one.severity == Severity::Error && !one.refusal && one.heard_ms >= begun_ms_; });
 }
 
 void CleaningLock::follow() {

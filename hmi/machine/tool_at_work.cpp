@@ -32,14 +32,14 @@ ToolAtWork toolAtWork(const Live& live, unsigned channel) {
         out = {station, there ? givenName(*there) : QString(), 0, true};
     }
     const QString named = QString::fromUtf8(block.tool_name.data(), static_cast<int>(::strnlen(block.tool_name.data(), block.tool_name.size())));
-    if (out.number <= 0 && block.tool > 0) out = {block.tool, named, 0, false};
+    if (out.number <= 0 && block.tool > 0 && (out.name.isEmpty() || out.name == named)) out = {block.tool, named, 0, out.certain};   // a tool that is called by its name may have no number
     if (out.number == block.tool && out.name.isEmpty()) out.name = named;
-    if (view.known && works(status) && block.tool > 0 && block.tool != out.number) out.called = block.tool;
+    if (view.known && works(status) && out.number > 0 && block.tool > 0 && block.tool != out.number) out.called = block.tool;
     return out;
 }
 
 QString toolAtWorkText(const ToolAtWork& tool, bool named) {
-    if (tool.number <= 0) return {};
+    if (tool.number <= 0) return tool.name;
     QString out = QString("T%1").arg(tool.number);
     if (tool.called) return out + QString::fromUtf8(" \u2192 ") + QString("T%1").arg(tool.called);
     return named && !tool.name.isEmpty() ? out + "  " + tool.name : out;

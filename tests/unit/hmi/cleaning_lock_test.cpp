@@ -11,6 +11,17 @@ protected:
         window->lock(false);
         g_controller->press("reset"), g_controller->press("release_emergency_stop"), g_controller->press("machine_on");
     }
+    // The job runs, and what the test before has left is heard and over.
+    void lockAtWork() {
+        startJob();
+        frames(*window, 1'000);
+        window->lock(true);
+    }
+    std::string told() const {
+        std::string out;
+        for (const AlarmEntry& one : window->desk().alarms.all()) out += one.number.toStdString() + (one.standing ? " stands, " : ", ");
+        return out;
+    }
     // Where a finger meets what lies uppermost at the place of a soft key.
     std::pair<QWidget*, QPoint> atKey(int key) const {
         const QPoint place = window->softKeys().mapTo(window.get(), window->softKeys().boxOf(key).center().toPoint());
@@ -28,8 +39,7 @@ protected:
 };
 
 TEST_F(CleaningTasks, AnEmergencyStopEndsTheLockAndIsSeen) {
-    startJob();
-    window->lock(true);
+    lockAtWork();
     ASSERT_TRUE(window->locked());
     ASSERT_TRUE(g_controller->press("emergency_stop"));
     ASSERT_TRUE(waitFor([&] { return stopped(); }));
@@ -41,8 +51,7 @@ TEST_F(CleaningTasks, AnEmergencyStopEndsTheLockAndIsSeen) {
 }
 
 TEST_F(CleaningTasks, AnAlarmOfAChannelEndsTheLock) {
-    startJob();
-    window->lock(true);
+    lockAtWork();
     ASSERT_TRUE(g_controller->press("reset L2"));
     ASSERT_TRUE(g_controller->press("select L2=/nowhere/at/all.nc"));
     g_controller->press("cycle_start L2");
@@ -52,24 +61,22 @@ TEST_F(CleaningTasks, AnAlarmOfAChannelEndsTheLock) {
 }
 
 TEST_F(CleaningTasks, TheBarGoesOnTelling) {
-    startJob();
-    window->lock(true);
+    lockAtWork();
     frames(*window, 100);
     EXPECT_EQ(window->childAt(200, 20), window->ownSheets()[0]) << "the state bar lies under the lock";
     EXPECT_TRUE(standsOn({window->ownSheets()[0]}, "Programs run"));
     QTest::mouseClick(window->ownSheets()[0], Qt::LeftButton, {}, window->ownSheets()[0]->boxOf(2).center().toPoint());   // another theme
-    EXPECT_TRUE(window->locked()) << "a touch on the bar does nothing";
+    EXPECT_TRUE(window->locked()) << "a touch on the bar does nothing; " << told();
     EXPECT_FALSE(standsOn(window->overSheets(), "machine goes on")) << "nobody knows that";
 }
 
 TEST_F(CleaningTasks, AFingerThatRestsHoldsAClothDoesNot) {
     constexpr int kHold = 1, kUnlock = 5;
-    startJob();
-    window->lock(true);
+    lockAtWork();
     frames(*window, 100);
     for (const int key : {0, 2, 4, kHold}) rest(key, 60);   // wiped over
     frames(*window, 600);
-    EXPECT_TRUE(window->locked());
+    EXPECT_TRUE(window->locked()) << told();
     EXPECT_NE(state(1), ChannelState::Held);
     rest(kHold, 700);
     EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Held; }, 5)) << "hold is not reached";
