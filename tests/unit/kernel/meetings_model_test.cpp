@@ -132,17 +132,19 @@ public:
         unsigned newcomer = kMaxChannels;
         const auto told = [&](const char* word) -> std::ostringstream& { return what << word << " L" << l + 1 << ' ', what; };
         switch (random() % 18) {
-            case 0: case 1: press_start(l), told("start"); break;
+            case 0: case 1:   // a start that begins nothing is rare, and pressed all the same
+                if (a.where == Model::Reset || a.at_block || a.held || random() % 8 == 0) press_start(l), told("start");
+                break;
             case 2: case 3: case 4: case 5: case 6:
                 if (a.where != Model::Runs || a.code != kNone || a.held || a.at_block) break;
                 a.set = a.searches ? team & a.together : team;
-                a.code = random() % 4 ? 500 : random() % 3 ? 501 : kEnd;
+                a.code = random() % 8 ? 500 : random() % 2 ? 501 : kEnd;
                 push(l + 1, wait(l + 1, a.code, a.set));
                 newcomer = l;
                 told("arrive") << a.code;
                 break;
             case 7:
-                if (a.where == Model::Runs) machine->channel(l).fault(Alarm::InterlockStop, "model", 0), model.leave(l, Model::Stops), told("alarm");
+                if (a.where == Model::Runs && (a.code != kNone || random() % 4 == 0)) machine->channel(l).fault(Alarm::InterlockStop, "model", 0), model.leave(l, Model::Stops), told("alarm");
                 break;
             case 8: {
                 command(CommandKind::Reset, l + 1);
@@ -166,12 +168,15 @@ public:
             case 11:
                 if (a.where == Model::Runs && !a.restarts() && !a.held) command(CommandKind::FeedHold, l + 1), a.held = true, told("hold");
                 break;
-            case 12: case 13: restart(random, team, what); break;
+            case 12: case 13:
+                if (a.where == Model::Reset || random() % 8 == 0) restart(random, team, what);
+                break;
             case 14: case 15: case 16:
                 if (a.searches && a.code == kNone) push(l + 1, stop(l + 1, StopReason::Restart)), a.searches = false, a.at_block = true, told("at block");
                 else if (a.where == Model::Runs && a.code == kNone && !a.held && !a.at_block && random() % 2) push(l + 1, stop(l + 1, StopReason::M30)), model.leave(l, Model::Reset), told("end");
                 break;
-            default: rarely(random, l, what);
+            default:
+                if (random() % 3 == 0) rarely(random, l, what);
         }
         return newcomer;
     }
@@ -199,10 +204,10 @@ public:
     Model model;
 
 private:
-    // Who meets whom: pairs, threes, and one team of all that are left, so that codes alone can differ.
+    // Who meets whom: pairs, threes, a larger team at the end. Of one team all sets are the same.
     static unsigned team_of(unsigned l, unsigned n) {
         unsigned first = 0;
-        for (unsigned size = 2; first < n; ++size) {
+        for (unsigned size = 2; first < n; size = first < 5 ? 3 : first < 10 ? 2 : 5) {
             const unsigned last = first + size + 1 >= n ? n : first + size;
             if (l < last) return ((1u << last) - 1) & ~((1u << first) - 1);
             first = last;
