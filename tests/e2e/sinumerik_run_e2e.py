@@ -166,7 +166,7 @@ class SinumerikRun(Case):
             with self.subTest(back):
                 setup = self.write("setup.toml", "[channel.1]\npos = { X = 100.0, Z = 0.0 }\n")
                 done = self.run_one(HEAD + "RELEASE(Z)\nG4 F4\n" + back + "N35 G0 X90\nM30\n", drive, "--set", "MD30552 A2=1", "--setup", setup)
-                self.assertEqual(done.of("alarm"), [], done.said())
+                self.assertEqual(done.alarms, [], done.said())
                 self.assertAlmostEqual(done.of("move", n=35)[0]["machine"]["Z"], -30, delta=1e-3, msg=done.said())
                 if moves == "move":
                     self.assertAlmostEqual(done.of("move", n=30)[0]["pos"]["Z"], -30, delta=1e-3, msg=done.said())
