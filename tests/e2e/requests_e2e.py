@@ -48,6 +48,7 @@ class Requests(LiveCase):
     def setUp(self):
         super().setUp()
         self.start()
+        self.addCleanup(self.stop)   # before its folder goes: the store writes its last words there
 
     def client(self):
         one = Client(self.name)
@@ -230,7 +231,7 @@ class Requests(LiveCase):
         self.assertLess(wrong.got.count(b"\n"), 30)
         wrong.socket.setblocking(True)
         right = self.client().ask({"do": "store", "op": {"do": "users.login", "name": "maker", "password": "secret!"}})
-        self.assertTrue(right["ok"] or right["number"] == "PT0336", right)   # of the same user of the computer: he may have to wait
+        self.assertTrue(right["ok"] or right["number"] in ("PT0336", "PT0431"), right)   # of the same user of the computer: he may have to wait
         for _ in range(12):
             self.assertFalse(wrong.line()["ok"])
 

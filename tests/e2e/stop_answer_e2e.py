@@ -159,6 +159,7 @@ class StopAnswer(LiveCase):
 
     def test_while_every_other_client_misbehaves(self):
         self.start()
+        self.addCleanup(self.stop)
         pids = {p["name"]: p["pid"] for p in json.loads(self.polyturn("status", "--json", "--instance", self.name).out)["processes"]}
         self.measure("alone")
         name = self.name

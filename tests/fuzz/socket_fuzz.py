@@ -132,6 +132,7 @@ class SocketFuzz(LiveCase):
 
     def test_the_same_processes_live_and_answer(self):
         self.start()
+        self.addCleanup(self.stop)
         before = self.pids()
         draw = Draw(SEED)
         last, sent = [], 0
