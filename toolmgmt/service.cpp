@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
 constexpr std::chrono::seconds kRetry{1};      // after the disk refused
+constexpr unsigned kMostTries = 5;               // of one request of fixed fields, before it counts as what kills its readers
 constexpr const char* kKilled = "the store died when it read this request; it is not read again";
 constexpr std::size_t kMostImportLines = 100'000;
 constexpr std::size_t kAnswerPiece = sizeof(StoreAnswer{}.text) - 1;
@@ -268,11 +269,11 @@ bool Service::take_requests() {
             worked = true;
             continue;
         }
-        // One of fixed fields may be tried twice: most likely its reader was killed from outside.
+        // One of fixed fields may be tried again: most likely its reader was killed from outside.
         const unsigned before = begun_before(request.id);
         mark_begun(request.id, before + 1);
         Result<Applied> applied = Applied{{}, "more follows"};
-        if (before >= 2) {
+        if (before >= kMostTries) {
             applied = Diagnosis{Alarm::RequestBad, {}, {}, kKilled};
             import_.clear();
         } else if (parameter && request.field == kMoreFollows) {

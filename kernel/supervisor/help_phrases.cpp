@@ -64,6 +64,7 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"positions, speeds and states of each tick (CSV)", "положения, скорости и состояния каждого такта (CSV)", "polohy, rychlosti a stavy každého taktu (CSV)", "helyzetek, sebességek és állapotok ütemenként (CSV)"},
     {"a line each so many ticks", "строка через столько тактов", "řádek po tolika taktech", "ennyi ütemenként egy sor"},
     {"[L=]PERCENT: feed override at the start", "[L=]ПРОЦЕНТ: коррекция подачи в начале", "[L=]PROCENTO: korekce posuvu na začátku", "[L=]SZÁZALÉK: előtolás-szorzó induláskor"},
+    {"also programs of the PLC and of drives that the backup holds", "также программы ПЛК и приводов из резервной копии", "také programy PLC a pohonů ze zálohy", "a mentésben lévő PLC- és hajtásprogramokat is"},
     {"L=N120: program restart at a block; repeatable", "L=N120: пуск программы с кадра; можно повторять", "L=N120: start programu od bloku; lze opakovat", "L=N120: a program indítása egy mondattól; ismételhető"},
     {"parts to make (default 1)", "сколько деталей изготовить (по умолчанию 1)", "kolik kusů vyrobit (výchozí 1)", "gyártandó darabok (alapérték 1)"},
     {"tool paths and the channels' timeline (SVG)", "траектории инструмента и временная диаграмма каналов (SVG)", "dráhy nástrojů a časová osa kanálů (SVG)", "szerszámpályák és a csatornák idődiagramja (SVG)"},

@@ -40,7 +40,7 @@ struct StoreOptions {
     std::string instance, format = "csv", store, machine, who, since, zero, name;
     std::vector<std::string> with;
     int channel = 0, magazine = -1, type = -1, most = 50, offset = -1, frames = 0, plane = 0;
-    bool incremental = false, preview = false, yes = false;
+    bool incremental = false, preview = false, yes = false, with_plc = false;
 };
 
 struct JobVerbOptions {

@@ -104,6 +104,7 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
     if (group == "backup") one->add_option("--with", store.with, "program or folder of programs; repeatable")->allow_extra_args(false);
     if (group == "restore") {
         one->add_flag("--yes", store.yes, "do it");
+        one->add_flag("--with-plc", store.with_plc, "also programs of the PLC and of drives that the backup holds");
         one->add_option("--store", store.store, "folder of a controller that does not run: its store is replaced");
         one->add_option("--machine", store.machine, "with --store: its machine");
     }

@@ -270,6 +270,7 @@ int log_in(const std::string& instance, const StoreOptions& options) {
 int restore_offline(const StoreOptions& options) {
     std::vector<std::string> arguments = {"--store", options.store, "--restore", options.words.empty() ? "newest" : std::filesystem::absolute(options.words[0]).string()};
     if (!options.machine.empty()) arguments.insert(arguments.end(), {"--machine", options.machine});
+    if (options.with_plc) arguments.push_back("--with-plc");
     if (!options.yes) {
         fmt::print(fmt::runtime(say("This replaces the store in {}. Say --yes to do it.\n")), options.store);
         return 2;
@@ -310,7 +311,7 @@ int store_verb(const StoreOptions& options, bool json) {
         op = {{"do", "backup.to"}, {"file", std::filesystem::absolute(options.words[0]).string()}, {"with", Json::array()}};
         for (const std::string& one : options.with) op["with"].push_back(std::filesystem::absolute(one).string());
     } else if (options.group == "restore") {
-        op = {{"do", "restore.from"}, {"file", options.words.empty() ? "" : std::filesystem::absolute(options.words[0]).string()}, {"preview", !options.yes}};
+        op = {{"do", "restore.from"}, {"file", options.words.empty() ? "" : std::filesystem::absolute(options.words[0]).string()}, {"preview", !options.yes}, {"with_plc", options.with_plc}};
     }
     if (!wrong.empty()) return wrong_word(wrong);
     if (op.value("do", "") == "tools.import") {
