@@ -17,7 +17,7 @@ struct Moving {
         params::put(t, params::n0521_serrl3, 10, 1);
         if (more) more(t);
     }) {
-        rig.push(1, rig.line(1, {100, 0}, 50));
+        rig.push(1, rig.line(1, {100, 0}, 50, kExactStop));
         rig.start(1);
         rig.run(1000);
     }
