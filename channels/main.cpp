@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     app.add_flag("--variables", options.variables, "also report every variable that the program writes");
     app.add_option("--retained", retained, "folder of what must survive power-off");
     app.add_option("--shared", options.shared, "file of the variables that all programs of the check share");
+    app.add_option("--most-blocks", options.most_blocks, "blocks after which a program counts as endless; 0: none");
     app.add_flag("--alone", options.alone, "no other channel's program takes part in the check");
     app.add_option("program", options.program, "program file");
     try {

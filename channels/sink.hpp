@@ -106,6 +106,7 @@ struct Move {
     // Rigid tapping: the positioned spindle turns along with the move
     double tap_turns = 0.0;         // revolutions, positive like M3; 0: it does not
     double tap_rpm = 0.0;           // the programmed speed, 1/min
+    bool tap_floats = false;        // in a floating holder: the feed follows the spindle's measured speed
     bool tap_out = false;           // the way out of the hole
     bool tap_feedforward = false;   // N1503 RFF
     bool offset_alone = false;      // only the tool's offset changes: the contour does not go on

@@ -13,6 +13,7 @@
 
 #include "channels/check/check_port.hpp"
 #include "channels/check/event_text.hpp"
+#include "channels/check/round_watch.hpp"
 #include "channels/preset.hpp"
 #include "ipc/machine/apply_setup.hpp"
 #include "ipc/path/stroke_zones.hpp"
@@ -102,11 +103,11 @@ private:
     double* cells_ = nullptr;
 };
 
-// Remembers whether the next thing to do is to wait for the others, and shows skip moves to the port.
+// Remembers whether the next thing to do is to wait for the others, shows skip moves to the port and what is written to the round watch.
 class WaitWatch final : public ForwardingSink {
 public:
-    WaitWatch(Sink& next, CheckPort& port, const MachineView& view, const SharedCells& shared)
-        : ForwardingSink(&next), port_(&port), view_(&view), shared_(&shared), common_(offsets_in_common(view)) {}
+    WaitWatch(Sink& next, CheckPort& port, const MachineView& view, const SharedCells& shared, RoundWatch& rounds)
+        : ForwardingSink(&next), port_(&port), view_(&view), shared_(&shared), rounds_(&rounds), common_(offsets_in_common(view)) {}
     bool waiting = false;
     const Core* core = nullptr;            // of the program that is read
     std::optional<Diagnosis> stroke_end;   // a move came to the end of a stroke: nothing is driven behind it
@@ -131,7 +132,9 @@ public:
         watch_stroke(stopped, at);
     }
     void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
+    void variable(const Variable& v, const BlockContext& at) override { rounds_->wrote(v.name, v.value, v.text), next_->variable(v, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override {
+        rounds_->wrote_offset(o);
         if (shared_->cells() && !o.work && o.number >= 1 && static_cast<unsigned>(o.number) <= common_) shared_->put(static_cast<std::size_t>(o.number), view_->store->offsets[static_cast<std::size_t>(o.number)]);
         next_->offset(o, at);
     }
@@ -177,6 +180,7 @@ private:
     CheckPort* port_;
     const MachineView* view_;
     const SharedCells* shared_;
+    RoundWatch* rounds_;
     unsigned common_;
 };
 
@@ -250,7 +254,8 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     const SharedCells shared(options.shared, view.config().kind);
     port.share(shared.cells());
     port.axes_follow(may_follow(view));
-    WaitWatch sink(events, port, view, shared);
+    RoundWatch rounds(options.most_blocks);
+    WaitWatch sink(events, port, view, shared, rounds);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
     if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
@@ -261,9 +266,6 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     if (shared.cells() && !ask_to_go_on(port)) return 0;   // the programs take turns
     sink.take_common();
 
-    // A loop of the program that causes nothing would keep the check for ever.
-    std::uint64_t silent = 0;
-    std::size_t printed = 0;
     for (;;) {
         const Step step = interpreter->step();
         if (sink.stroke_end) {
@@ -271,14 +273,13 @@ int run_check(const CheckOptions& options, std::FILE* out) {
             events.alarm(*sink.stroke_end, sink.stroke_at);
             break;
         }
-        silent = printer.text.size() == printed ? silent + 1 : 0;
         printer.flush_large();
-        printed = printer.text.size();
-        if (silent > options.silent_steps) {
-            events.alarm({Alarm::LoopEndless, {options.program, interpreter->core().at.line, 0, 0}, {}, {}}, interpreter->core().at);
+        if (step != Step::AtBarrier && step != Step::Continue) break;
+        if (rounds.look(interpreter->core()) != RoundWatch::Verdict::GoesOn) {
+            const BlockContext& at = interpreter->core().at;
+            events.alarm({Alarm::LoopEndless, {files.path(at.file), at.line, 0, 0}, {}, {}}, at);
             break;
         }
-        if (step != Step::AtBarrier && step != Step::Continue) break;
         if (step == Step::Continue && !sink.waiting) continue;
         if (step == Step::AtBarrier && !sink.waiting) port.looked_at_machine();   // it asks for a live value
         if (sink.waiting) {

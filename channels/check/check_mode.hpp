@@ -17,7 +17,7 @@ struct CheckOptions {
     bool variables = false;
     std::string shared;       // file that holds the variables which all channels of this check share; empty: alone
     bool alone = false;       // no other program takes part
-    std::uint64_t silent_steps = 20'000'000;   // blocks in a row that cause nothing: more are a loop without an end
+    std::uint64_t most_blocks = 10'000'000;   // more are taken for a program without an end; 0: no limit (RoundWatch)
 };
 
 // Prints to `out`. Exit status: 0 done, 1 an alarm ended the program, 2 something could not be read.

@@ -110,14 +110,20 @@ bool drill_axial(Core& core, const AxialHole& hole) {
     return level(core, hole, approach, true);
 }
 
-// The spindle stands oriented and is led by the axis, into the hole and out of it.
+// The spindle is led by the axis, into the hole and out of it: oriented, or from where its loop has closed.
 static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
     PathState& path = core.path;
+    Core::TapLoop loop;
+    if (!core.rigid_loop(loop, hole.tap == AxialHole::Tap::Oriented)) return false;
     const double rpm = path.spindle.rpm;
     const double pitch = path.feed_mode == FeedMode::PerRevolution ? path.feed : rpm > 0 ? path.feed / rpm : 0.0;
     if (!(pitch > 0)) return core.fail(Alarm::LeadMissing, 'F');
-    if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
-    core.aux('M', 19, "M19", false);   // the PLC closes the loop and answers when it stands there
+    if (loop.orients) {
+        if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
+        core.aux('M', 19, "M19", false);   // the PLC closes the loop and answers when it stands there
+    } else {   // never turned free of the loop in between: it brakes as the loop closes
+        core.aux('M', loop.code, "M" + std::to_string(static_cast<long>(loop.code)), false);
+    }
     path.spindle.turn = in;   // the moves know its speed, though it stands
     const bool locked = path.override_locked;
     path.override_locked = true;
@@ -133,24 +139,24 @@ static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
 
 static bool tap_hole(Core& core, const AxialHole& hole, SpindleTurn in) {
     const SpindleTurn back = in == SpindleTurn::Cw ? SpindleTurn::Ccw : SpindleTurn::Cw;
-    const bool rigid = hole.tap != AxialHole::Tap::Floating;
-    if (hole.tap == AxialHole::Tap::Oriented) return tap_led(core, hole, in);
+    if (hole.tap != AxialHole::Tap::Floating) return tap_led(core, hole, in);
     const bool locked = core.path.override_locked;
     core.path.override_locked = true;
     const bool good = level(core, hole, hole.bottom, false) &&
                       (hole.dwell <= 0 || (turn(core, SpindleTurn::Stop) && core.dwell(hole.dwell, false))) && turn(core, back) &&
                       level(core, hole, hole.approach[hole.axis], false);
     core.path.override_locked = locked;
-    return good && turn(core, rigid ? SpindleTurn::Stop : in);
+    return good && turn(core, in);
 }
 
 bool tap_axial(Core& core, const AxialHole& hole) {
     if (!core.rapid(hole.approach)) return false;
     const SpindleTurn in = core.path.spindle.turn;
     if (in == SpindleTurn::Stop) return core.fail(Alarm::ThreadSpindleStopped);
-    core.taps(true);
+    const bool floating = hole.tap == AxialHole::Tap::Floating;
+    if (floating) core.taps(true);
     const bool good = tap_hole(core, hole, in);
-    core.taps(false);
+    if (floating) core.taps(false);
     return good;
 }
 

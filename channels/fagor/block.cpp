@@ -162,6 +162,8 @@ bool Interpreter::act() {
     } else if (has_axes() || has('Q') || has('R') || (modal_.motion >= 2 && (letters_ & letter_set("IJK")))) {
         const GCode* motion = find_g_code(modal_.motion);
         if (coded(GGroup::Plane) && modal_.plane == 16) return true;
+        const bool ends_comp = coded(GGroup::Comp) && coded_[at(GGroup::Comp)]->number == 40;
+        if (ends_comp && (modal_.motion == 2 || modal_.motion == 3) && stands_still()) return !m_count_ || m_after();   // no arc without a way
         if (!(this->*motion->act)(*motion)) return false;
     } else if (coded(GGroup::Element)) {
         return core_.fail(Alarm::FagorMotionWord, 'G', "a motion", coded_[at(GGroup::Element)]->number);

@@ -180,6 +180,15 @@ bool Interpreter::g_scale(const GCode&) {
     return true;
 }
 
+// The block names axes, but no way: G91 G40 X0 under a modal G03 ends compensation where the tool stands (8.2.6).
+bool Interpreter::stands_still() {
+    AxisValues target{};
+    if ((letters_ & letter_set("IJKQR")) || !read_point(target, nullptr)) return false;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (target[i] != core_.path.programmed[i]) return false;
+    return true;
+}
+
 bool Interpreter::g_comp(const GCode& row) {
     if (scanning_) {   // what comes behind is no part of the contour
         scan_over_ = true;
@@ -187,7 +196,7 @@ bool Interpreter::g_comp(const GCode& row) {
     }
     const std::uint16_t motion = coded(GGroup::Motion) ? coded_[static_cast<std::size_t>(GGroup::Motion)]->number : modal_.motion;
     if (row.number == 40) {
-        if (modal_.comp != 40 && (motion == 2 || motion == 3)) return core_.fail(Alarm::CompArcStartEnd, 'G');
+        if (modal_.comp != 40 && (motion == 2 || motion == 3) && !stands_still()) return core_.fail(Alarm::CompArcStartEnd, 'G');
         modal_.comp = 40;
         modal_.collision_blocks = 0;
         loops_.clear();

@@ -151,6 +151,7 @@ private:
     bool limit_surface_speed(bool said = false);
 
     // points and motion (points.cpp, g_motion.cpp)
+    bool stands_still();                                  // g_settings.cpp
     bool read_point(AxisValues& target, AxisSet* named);
     bool polar_point(AxisValues& target);
     bool angle_point(AxisValues& target);

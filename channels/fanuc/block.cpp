@@ -26,6 +26,19 @@ std::string g_name(double value) {
     return text;
 }
 
+// The bits that would make it a code: G95 is one of systems B and C. Nothing: it is none in any of them.
+std::string known_elsewhere(const Settings& settings, double tenths) {
+    std::uint8_t systems = 0;
+    for (const GCode& row : g_codes())
+        if (row.tenths == tenths) systems |= row.systems;
+    if (settings.nct || settings.mefi || !(systems & kFanuc)) return {};
+    std::string where;
+    if ((systems & kA) && settings.system != kA) where += "A: F3401#6 = 0, #7 = 0";
+    if ((systems & kB) && settings.system != kB) where += std::string(where.empty() ? "" : "; ") + "B: F3401#6 = 1" + (settings.system == kC ? ", #7 = 0" : "");
+    if ((systems & kC) && settings.system != kC) where += std::string(where.empty() ? "" : "; ") + "C: F3401#7 = 1";
+    return where.empty() ? where : " (" + where + ")";
+}
+
 }  // namespace
 
 bool Interpreter::too_many_words(const Word& word) {
@@ -72,7 +85,7 @@ bool Interpreter::classify() {
             if (!row) {
                 fault_column_ = word.column;
                 fault_length_ = word.length;
-                return core_.fail(Alarm::GCodeUnknown, 'G', g_name(word.value));
+                return core_.fail(Alarm::GCodeUnknown, 'G', g_name(word.value) + known_elsewhere(settings_, whole_tenths));
             }
             if (g_count_ < g_words_.size()) g_words_[g_count_++] = static_cast<std::uint8_t>(i);
             coded_[static_cast<std::size_t>(row->group)] = row;
@@ -214,7 +227,7 @@ Step Interpreter::nc_block() {
         if (!pattern_dialogue(done)) return fault(core_.fault());
         if (!done) return dialogue_.asked ? Step::AtBarrier : Step::Continue;
     }
-    if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
+    if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && (judge_points(), act())))) return fault(core_.fault());
     b_.single_before = b_.single_now;
     if (core_.transformation_failed()) return fault(core_.fault());
     if (interruption_.running && (block_.letters & ~letter_set("NO"))) interruption_.shows_end = false;
@@ -226,6 +239,10 @@ Step Interpreter::nc_block() {
             fault_column_ = sub_column_, fault_length_ = sub_length_;
             return fault(core_.fault());
         }
+    }
+    if (local_call_ >= 0 && !call_block(std::exchange(local_call_, -1))) {
+        fault_column_ = sub_column_, fault_length_ = sub_length_;
+        return fault(core_.fault());
     }
     if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
     end_one_block_shift();

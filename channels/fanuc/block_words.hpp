@@ -25,6 +25,9 @@ struct BlockWords {
     AxisValues target_{};
     std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
     std::uint32_t sub_column_ = 0, sub_length_ = 0;     // of that code
+    std::uint64_t letters_written_in_ = 0;   // serial of the block whose calling letters have written their variables; it may be read twice
+    std::uint32_t letters_written_ = 0;      // and those letters
+    std::int64_t local_call_ = -1;   // M97 P: the block of this program that is called when the block has acted
     bool moved_ = false;              // the block moved: G66 calls follow
     std::uint32_t fault_line_ = 0;    // 0: the line read last
     std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells

@@ -187,7 +187,7 @@ bool Interpreter::per_block_call() {
 
 // Codes that call programs instead of acting. `called` tells whether the block was used up by a call.
 bool Interpreter::code_calls(bool& called) {
-    sub_program_ = -1;
+    sub_program_ = local_call_ = -1;
     const bool inside = std::any_of(frames_.begin() + 1, frames_.end(), [](const CallLevel& f) { return f.by_code; });
     if (inside && !settings_.nested_calls) return true;
     for (std::size_t k = 0; k < block_.count; ++k) {
@@ -247,7 +247,9 @@ bool Interpreter::code_calls(bool& called) {
         } else {
             for (const Settings::LetterCall& call : settings_.letter_calls)
                 if (call.letter == word.address) {
-                    if (!written(call.variable, word.value, {})) return false;
+                    if (letters_written_in_ != core_.at.serial) letters_written_in_ = core_.at.serial, letters_written_ = 0;
+                    if (!(letters_written_ & letter_bit(word.address)) && !written(call.variable, word.value, {})) return false;
+                    letters_written_ |= letter_bit(word.address);
                     return later(call.program, 1);
                 }
         }

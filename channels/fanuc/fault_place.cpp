@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
 
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/text/chars.hpp"
@@ -66,6 +69,49 @@ LinePlace place_in_line(std::string_view line, const GTable& table, char letter)
         at = end;
     }
     return named.column ? named : moving.column ? moving : code.column ? code : first;
+}
+
+namespace {
+
+// A length of the text has a decimal point. Comments, and words that are no lengths (G12.1, P1.12, F100.), say nothing.
+bool length_with_point(std::string_view line) {
+    constexpr std::string_view kLengths = "XYZUVWABCIJKRE";
+    for (std::size_t at = 0; at < line.size();) {
+        if (line[at] == '(') at = std::min(line.find(')', at), line.size() - 1);
+        const char c = capital(line[at++]);
+        if (!is_capital(c) || (at < line.size() && is_letter(line[at]))) continue;
+        const std::size_t end = behind_value(line, at);
+        if (kLengths.find(c) != std::string_view::npos && line.substr(at, end - at).find('.') != std::string_view::npos) return true;
+        at = std::max(at, end);
+    }
+    return false;
+}
+
+// The reader of the program is not disturbed. A text that cannot be read here says nothing.
+bool file_has_points(const std::string& path) {
+    std::ifstream text(path);
+    if (!text) return true;
+    for (std::string line; std::getline(text, line);)
+        if (length_with_point(line)) return true;
+    return false;
+}
+
+}  // namespace
+
+// G0 X50 is 0.05 mm where F3401#0 is 0, as on the control. Whoever writes no point in a whole program means millimetres more often
+// than not: one warning, at the first such word.
+void Interpreter::judge_points() {
+    if (points_judged_ || settings_.point_means_nothing || reads_contour_ || coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u) return;
+    for (unsigned k = 0; k < axis_word_count_ && !points_judged_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        if (word.value == 0 || word.from_expression) continue;
+        points_judged_ = true;
+        if (word.has_point || file_has_points(files_->path(frames_.front().file))) return;
+        const AxisOf axis = axis_of(word);
+        std::string meant = fmt::format("{} = {:.4f}", text_of(word), length(word, axis.place));
+        meant.erase(meant.find_last_not_of('0') + 1);
+        core_.sink().alarm({Alarm::PointsMissing, {{}, core_.at.line, character_column(line_, word.column), word.length}, {}, meant}, core_.at);
+    }
 }
 
 // The source stands where it stood afterwards; the line that was read last is no longer there.

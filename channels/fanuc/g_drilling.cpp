@@ -72,31 +72,26 @@ bool Interpreter::tap_pitch(cycles::Drilling& hole) {
     return hole.pitch > 0 || core_.fail(Alarm::FeedMissing, 'F');
 }
 
-// Rigid tapping of fanuc (G84.2, M29 before G84, F5200#0). Where the machine's builder has said which code closes the spindle's loop
-// (N0823: M29), the axis leads the spindle, as in nct (the field's standard); otherwise nothing can, and the cycle turns a spindle that
-// stands and stops it again.
+// Rigid tapping of fanuc: G84.2, M29 before G84, F5200#0. The axis leads the spindle, as in nct (the field's standard), where the
+// machine's builder has said how its loop closes; elsewhere it is refused (Core::rigid_loop).
 bool Interpreter::rigid_form(const GCode& row) const {
     if (row.tenths == 842) return true;
     return (row.tenths == 840 || row.tenths == 880) && (last_m_ == 29 || params::bit(core_.view().table(), params::f5200, core_.view().channel, 0));
 }
 
 bool Interpreter::lead_spindle(cycles::Drilling& hole) {
-    const unsigned spindle = core_.path.spindle.spindle;
-    const auto code = spindle ? params::get(core_.view().table(), params::n0823_m_code_for_closing_s_loop, spindle) : 0;
-    if (code == 0) return true;
+    Core::TapLoop loop;
+    if (!core_.rigid_loop(loop) || !tap_pitch(hole)) return false;
     hole.rigid = true;
-    hole.closing_code = static_cast<double>(code);
-    return tap_pitch(hole);
+    hole.orients = loop.orients;
+    hole.closing_code = loop.code;
+    return true;
 }
 
 // nct G84.2, G84.3: how the thread is cut and left (nct part 1 16.1, 16.4).
-bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
+bool Interpreter::begin_rigid_tap(cycles::Drilling& hole) {
     const Settings::Tapping& tapping = settings_.tapping;
-    hole.rigid = tapping.orients || tapping.code > 0;   // otherwise nothing closes the spindle's loop: it turns, the axis follows
-    if (tapping.orients && !can_orient(core_.path.spindle.spindle)) return false;
-    if (hole.rigid && !tap_pitch(hole)) return false;
-    hole.orients = tapping.orients;
-    hole.closing_code = tapping.code;
+    if (!lead_spindle(hole)) return false;
     hole.peck = drill_.q;
     hole.chip_break = !tapping.leaves_hole;
     hole.clearance = drill_.e_set ? drill_.e : tapping.leaves_hole ? tapping.clearance : tapping.chip_break;
@@ -105,9 +100,6 @@ bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     if (tapping.word_i && block_.has('I') && block_.value('I') > 0) hole.out_factor = block_.value('I') / 100.0;
     hole.feedforward = tapping.feedforward;
     hole.own_acceleration_out = tapping.own_acceleration_out;
-    if (hole.rigid) return true;
-    if (!core_.spindle_turn(left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw) || !core_.commit_spindle()) return false;
-    core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
     return true;
 }
 
@@ -195,7 +187,7 @@ bool Interpreter::run_drilling() {
             break;
         case 842:
         case 843:
-            if (settings_.nct && !begin_rigid_tap(hole, row.tenths == 843)) return false;
+            if (settings_.nct && !begin_rigid_tap(hole)) return false;
             [[fallthrough]];
         case 840:
         case 841:
@@ -215,14 +207,7 @@ bool Interpreter::run_drilling() {
         case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));
     }
-    const bool rigid = !settings_.nct && rigid_form(row);
-    if (rigid && !lead_spindle(hole)) return false;
-    const bool turns_spindle = rigid && !hole.rigid && core_.path.spindle.turn == SpindleTurn::Stop;
-    if (turns_spindle) {
-        if (row.tenths == 842) core_.aux('M', 29, "M29", false);
-        if (!core_.spindle_turn(SpindleTurn::Cw) || !core_.commit_spindle()) return false;
-        core_.aux('M', 3, "M3", false);
-    }
+    if (!settings_.nct && rigid_form(row) && !lead_spindle(hole)) return false;
     hole.dwell = drill_.p;
     hole.dwells_at_r = !settings_.nct;
     hole.dwell_revolutions = settings_.dwell_by_feed_mode && core_.path.feed_mode == FeedMode::PerRevolution;
@@ -233,10 +218,6 @@ bool Interpreter::run_drilling() {
         for (unsigned i = 0; i < core_.view().axis_count; ++i)
             if (named >> i & 1u && (k == 0 || steps >> i & 1u)) position[i] = k == 0 ? step[i] : core_.path.programmed[i] + (step[i] - from[i]);
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
-    }
-    if (turns_spindle) {   // the loop opens again
-        if (!core_.spindle_turn(SpindleTurn::Stop) || !core_.commit_spindle()) return false;
-        core_.aux('M', 5, "M5", false);
     }
     return true;
 }

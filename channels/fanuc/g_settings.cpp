@@ -218,13 +218,13 @@ bool Interpreter::g_diameter(const GCode&) {
 }
 
 // G50.3, G92.1: the named axes count from their work zero again, as if G50 and G52 had not been.
-bool Interpreter::g_preset_off(const GCode&) {
+bool Interpreter::g_preset_off(const GCode& row) {
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const auto place = static_cast<unsigned>(axis_of(block_.words[axis_words_[k]]).place);
         core_.preset_by(place, core_.path.preset[place]);
         core_.local_zero(place, 0.0);
     }
-    return axis_word_count_ ? true : core_.fail(Alarm::CoordinateAxisNone, 'G', "G50.3");
+    return axis_word_count_ ? true : core_.fail(Alarm::CoordinateAxisNone, 'G', std::string(row.name));
 }
 
 bool Interpreter::g_local_zero(const GCode&) {

@@ -80,6 +80,7 @@ bool Interpreter::g_polar_plane(const GCode& row) {
     wanted.kinematics.value[0] = params::get(t, params::n0217_polar_intp_comp_amount, view.axes[static_cast<std::size_t>(c)].machine_axis + 1u);
     wanted.kinematics.value[1] = 1.0;
     wanted.virtual_y = static_cast<std::int8_t>(c);
+    wanted.counts_from_here = true;
     if (!core_.transform(wanted)) return false;
     plane_before_ = core_.path.plane;
     core_.path.plane = Plane::XY;   // of the linear axis and the one that stands for Y

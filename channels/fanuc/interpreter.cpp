@@ -95,8 +95,8 @@ Result<void> Interpreter::start(FileId main) {
     frames_.push_back(std::move(frame));
     source_ = &files_->source(main);
     source_->seek({0, 1});
-    line_left_ = tape_begun_ = blocks_begun_ = ended_ = ended_by_code_ = reread_ = false;
-    managed_serial_ = 0;
+    line_left_ = tape_begun_ = blocks_begun_ = ended_ = ended_by_code_ = reread_ = points_judged_ = false;
+    managed_serial_ = letters_written_in_ = 0;
     fresh_ = true;   // cycle start is a barrier
     // Without a machine nobody but the program can have closed a spindle's loop.
     turned_.fill({core_.port().axis_command(core_.view().axes[0].machine_axis) ? SpindleLoop::Unknown : SpindleLoop::Open, 0.0});
@@ -464,6 +464,32 @@ bool Interpreter::enter_program(FileId file, std::int64_t number, std::int64_t r
     blocks_begun_ = false;
     line_left_ = false;
     jumped_ = true;
+    return true;
+}
+
+// M97 P300: the watch for interrupts ends, and the program goes on at N300 of the same text, to M99 and then behind this block. The
+// specification knows M97 without P only; controls of this family call a part of the program so.
+bool Interpreter::call_block(std::int64_t number) {
+    if (ended_) return true;
+    if (!call_levels_left(false, false, 'P')) return false;
+    const CallLevel& here = frames_.back();
+    const FileId file = here.file;
+    const TextPosition begin = here.begin;
+    const std::int64_t program = here.program;
+    const auto found = find_block(number);
+    if (!found) return core_.fail(Alarm::SequenceNumberMissing, 'P', std::to_string(number));
+    called_ = true;
+    CallLevel frame;
+    frame.file = file;
+    frame.begin = begin;   // jumps look through the whole program
+    frame.resume = place_behind(behind_);
+    frame.loops = loops_.size();
+    frame.outer_program = program_number_;
+    frame.program = program;
+    frame.outer_modals = modal_calls_;
+    frames_.push_back(std::move(frame));
+    line_left_ = false;
+    go_on_at(*found);
     return true;
 }
 

@@ -155,6 +155,7 @@ private:
     void look_whether_hidden();
     bool call_levels_left(bool macro, bool modal, char letter);
     bool call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter);
+    bool call_block(std::int64_t number);   // M97 P
     bool return_from(bool has_target, std::int64_t target);
 
     // resume states (resume.cpp)
@@ -186,6 +187,7 @@ private:
     bool axis_word(const Word& word, AxisValues& target, AxisSet& named);
     struct AxisOf { int place; bool incremental; };
     AxisOf axis_of(const Word& word) const;               // the axis that an axis word means, and whether it counts from the last point
+    void judge_points();                                  // fault_place.cpp
     double length(const Word& word, int place) const;     // mm or degrees, as the axis is programmed (not halved)
     double radius_length(char letter) const;              // I K R: mm
     double seconds(const Word& word) const;
@@ -275,7 +277,7 @@ private:
     bool series15_count(char letter, double& value);
     bool turning_cycles_available(const GCode& row);
     double fine_length(char letter) const;
-    bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
+    bool begin_rigid_tap(cycles::Drilling& hole);
     bool tap_pitch(cycles::Drilling& hole);
     bool rigid_form(const GCode& row) const;
     bool lead_spindle(cycles::Drilling& hole);
@@ -386,6 +388,7 @@ private:
     std::int64_t program_number_ = 0; // O of the running program
 
     bool only_macros_ = false;        // of an interrupt program, while the path is on its way to it
+    bool points_judged_ = false;      // a length without a point has been met: the program has others with one, or was warned of
     bool reads_contour_ = false;      // this interpreter only looks at a contour
     std::uint16_t units_code(bool inch) const { return static_cast<std::uint16_t>((settings_.system == kC ? 700 : 200) + (inch ? 0 : 10)); }
 

@@ -30,6 +30,10 @@ bool Interpreter::interrupt_code(const Word& word) {
         if (!keep_states_) keep_resume_states(true);
     } else {
         interrupting_.on = false;
+        if (block_.has('P')) {
+            if (!whole('P', local_call_)) return false;
+            sub_column_ = block_.word('P').column, sub_length_ = block_.word('P').length;
+        }
     }
     if (!interruption_.running) arm_interrupts(on);
     return true;
@@ -114,7 +118,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     source_->seek(frame.begin);
     frames_.push_back(std::move(frame));
     blocks_begun_ = line_left_ = reread_ = false;
-    managed_serial_ = 0;
+    managed_serial_ = letters_written_in_ = 0;
     fresh_ = state_changed_ = true;
     measuring_ = {};
     return true;

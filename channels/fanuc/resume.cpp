@@ -60,7 +60,7 @@ bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
     }
     serial_ = serial - 1;
     ended_ = reread_ = jumped_ = called_ = false;
-    managed_serial_ = 0;
+    managed_serial_ = letters_written_in_ = 0;
     fresh_ = true;
     measuring_ = {};
     away_.reset();

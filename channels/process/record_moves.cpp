@@ -214,7 +214,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
         fill_retract(move, r);
     }
     if (move.tap_turns != 0 && r.axis_count < kMaxPathAxes && move.spindle != 0) {
-        r.flags |= kTapping | kOverrideLocked | kExactStop | (move.tap_out ? std::uint32_t{kTapOut} : 0u);
+        r.flags |= kTapping | kOverrideLocked | kExactStop | kInPosition | (move.tap_out ? std::uint32_t{kTapOut} : 0u);
         r.axis[r.axis_count] = static_cast<std::uint8_t>(kMaxAxes + move.spindle - 1u);   // behind the axes: its slot is no axis
         r.end[r.axis_count] = move.tap_turns;
         r.value = move.tap_feedforward ? 1.0 : 0.0;
@@ -222,6 +222,11 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
             r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
             r.feed = move.feed * move.tap_rpm / 60;
         }
+    }
+    // A floating tap follows the speed that the spindle really has, at its pitch, whether the feed was told a minute or a revolution.
+    if (move.tap_floats && move.feed_mode == FeedMode::PerMinute && move.tap_rpm > 0 && move.spindle != 0) {
+        r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+        r.feed = move.feed / move.tap_rpm * move.feed_scale;
     }
     if (move.exact_stop) r.flags |= kExactStop;
     if (move.in_position) r.flags |= kExactStop | kInPosition;

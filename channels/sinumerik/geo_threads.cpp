@@ -221,6 +221,8 @@ bool Interpreter::geo_tap(const GCode& code) {
         if (!within_areas(target) || !leads_nobody(target)) return false;
         PathState& path = core_.path;
         if (path.spindle.rpm <= 0) return fail(Alarm::ThreadSpindleStopped);
+        Core::TapLoop loop;
+        if (!core_.rigid_loop(loop, true)) return false;
         if (!spindle_closed(path.spindle.spindle)) close_spindle(false);   // from where it stands
         const PathState before = path;
         const double way = core_.framed(target)[axis] - core_.framed_now()[axis];

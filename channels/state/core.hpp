@@ -124,6 +124,7 @@ struct PathState {
     std::uint8_t tap_axis = 0;              // place of the axis that goes into the hole
     double tap_depth_sign = 1.0;            // its direction into the hole
     bool tap_feedforward = false, tap_own_acceleration_out = false;
+    bool tap_floats = false;                // a tap in a floating holder is on
     ToolState tool;
     SpindleState spindle;
     NamedSpindle named;
@@ -334,6 +335,13 @@ public:
     void begin_control() { control_ = 0, asked_ = {}, polls_ = false; }   // as the machine begins a program
     // A cycle taps from here on, or no more: a feed hold waits until the tool is out, the spindle's override rests.
     void taps(bool on);
+    // How the loop of the channel's spindle closes for a rigid tap (nct part 1 16.4): M19 orients it (N1503 TSC), or N0823's code closes
+    // it where it stands. `oriented`: only M19 will do. False: it cannot, and the alarm names the spindle.
+    struct TapLoop {
+        bool orients = false;
+        double code = 0.0;
+    };
+    bool rigid_loop(TapLoop& loop, bool oriented = false);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     // `spindle`: another one than the channel's, by its name; told at once or with the turn that follows in the block.
     bool named_spindle(unsigned spindle, double rpm);
@@ -372,6 +380,7 @@ public:
 private:
     bool spindle_to(double degrees, SpindleApproach approach, double way_deg, bool whole_turns = false);
     void turn_with_move();
+    void follow_with_holder();
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves);
     bool feed_ready();

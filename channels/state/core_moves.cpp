@@ -62,6 +62,7 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     move_.kind = kind;
     move_.moved = moved;
     move_.tap_turns = 0.0;   // of the tap before: only turn_with_move() makes another one
+    move_.tap_floats = false;
     if (moved & view_->own_programs && at.own_axis < 0) {
         const ChannelAxis& axis = view_->axes[static_cast<unsigned>(__builtin_ctz(moved & view_->own_programs))];
         return fail(Alarm::BesideRefused, axis.name[0], axis.name);
@@ -290,6 +291,7 @@ bool Core::linear(const AxisValues& target) {
     if (move_.moved) {
         if (!feed_ready()) return false;
         if (path.tap_pitch != 0) turn_with_move();
+        else if (path.tap_floats) follow_with_holder();
         deliver();
         path.after_thread = false;
     } else if (compensating_) {
@@ -306,6 +308,13 @@ void Core::turn_with_move() {
     move_.tap_rpm = path.spindle.rpm;
     move_.tap_out = way < 0 && path.tap_own_acceleration_out;
     move_.tap_feedforward = path.tap_feedforward;
+}
+
+// Constant surface speed has no speed of its own to make a pitch of.
+void Core::follow_with_holder() {
+    const SpindleState& s = path.spindle;
+    move_.tap_floats = s.mode == SpindleModeCode::Rpm && s.rpm > 0;
+    move_.tap_rpm = s.rpm;
 }
 
 // The programmed point with the named axes at these machine coordinates.

@@ -264,7 +264,19 @@ void Core::asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column)
 // The spindle turns on in a hold and would cut the thread away under the tool that stands (the field's standard; fagor_8037t part 2,
 // 9.6.3: "cannot be interrupted"). Programs that run beside the path have no hold of their own.
 void Core::taps(bool on) {
+    path.tap_floats = on;
     if (at.own_axis < 0) signal("CONTROL", on ? control_ | kControlNoHold | kControlOwnSpindleOverride : control_);
+}
+
+bool Core::rigid_loop(TapLoop& loop, bool oriented) {
+    const params::Table& t = view_->table();
+    const unsigned s = path.spindle.spindle;
+    if (s == 0 || s > kMaxSpindles) return fail(Alarm::SpindleMissing, 'G');
+    loop.orients = oriented || params::bit(t, params::n1503_drilling_cycles_config, view_->channel, 1);
+    loop.code = loop.orients ? 0.0 : static_cast<double>(params::get(t, params::n0823_m_code_for_closing_s_loop, s));
+    const bool closes = params::bit(t, params::n0607_spindle_config, s, 2) && params::get(t, params::n0608_spindle_encoder_counts, s) > 0 && !params::bit(t, params::n0742_spindle_servo_control, s, 7);
+    const bool how = loop.orients ? params::bit(t, params::n0607_spindle_config, s, 1) : loop.code > 0;
+    return (closes && how) || fail(Alarm::TapNotRigid, 'G', "S" + std::to_string(s));
 }
 
 }  // namespace polyturn::channels

@@ -18,9 +18,17 @@ bool Core::transform(const Transformation& wanted) {
     }
     if (transformed()) transform_off();
     transforms_->forget_failure();
+    double preset_deg = 0.0;
+    if (wanted.counts_from_here) {
+        const auto c = static_cast<std::size_t>(wanted.rotary_place());
+        preset_deg = path.machine[c] - path.zero[c] - path.shift[c] - path.wanted[c];
+        path.preset[c] += preset_deg;
+        sum_zeros();
+    }
     AxisValues& axes = transforms_->axes();
     for (unsigned i = 0; i < view_->axis_count; ++i) axes[i] = path.machine[i];
     path.transformation = wanted;
+    path.transformation.preset_deg = preset_deg;
     Kinematics& k = path.transformation.kinematics;
     k.sign.fill(1.0);
     k.shift.fill(0.0);
@@ -59,10 +67,11 @@ std::array<double, 2> Core::centre_offsets() const {
 
 void Core::transform_off() {
     if (!transformed()) return;
+    if (const int c = path.transformation.rotary_place(); c >= 0) path.preset[static_cast<std::size_t>(c)] -= path.transformation.preset_deg;
     path.transformation = {};
     show_transformation();
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = transforms_->axes()[i];
-    rebase_all();
+    sum_zeros();
     surface_zero_told_ = std::numeric_limits<double>::quiet_NaN();
     refresh_surface_zero();
 }

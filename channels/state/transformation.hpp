@@ -16,6 +16,10 @@ struct Transformation {
     std::int8_t virtual_y = -1;            // place that stands for Y while it is on; -1 none
     bool named_y = false;                  // and is programmed and shown as Y
     bool about_machine_zero = false;       // polar: the rotary centre lies at the linear axis' machine zero, not at the workpiece's
+    // Polar: the rotary axis counts as 0 where it stands when the plane is switched on, and so does the virtual axis (fanuc, nct G12.1).
+    // Its coordinate is preset by so many degrees until the plane is off again.
+    bool counts_from_here = false;
+    double preset_deg = 0.0;
     PoleSide side = PoleSide::Both;
     bool active() const { return kind_of(kinematics) != KinematicsKind::None; }
     bool uses(unsigned place) const {

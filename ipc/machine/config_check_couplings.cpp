@@ -2,6 +2,7 @@
 // exchanges that have no drive or two partners, balance cuts that one side knows nothing of; and barriers of a negative size.
 #include <array>
 
+#include "ipc/machine/angular_axes.hpp"
 #include "ipc/machine/config_report.hpp"
 
 namespace polyturn::config {
@@ -61,6 +62,24 @@ void check_balance(Report& report, unsigned l) {
     else if (static_cast<unsigned>(get(report.table, pt_balance, other)) != l) report.add(Alarm::ConfigCoupling, line + ": L" + std::to_string(other) + " does not name L" + std::to_string(l));
 }
 
+// F8200 (fanuc_lathe 10.5): an angle that no slide can have; and a path that goes through the inclined slide does not pass the marks of a
+// balance cut, so that one of the two would be left out without a word.
+void check_angular(Report& report, unsigned l) {
+    if (!bit(report.table, f8200, l, 0)) return;
+    unsigned count = 0;
+    int x = -1, z = -1;
+    for (const AxisConfig& axis : report.machine.axes) {
+        if (!axis.exists() || axis.channel != l) continue;
+        if (axis.role == PlaneRole::BasicX) x = static_cast<int>(count);
+        if (axis.role == PlaneRole::BasicZ) z = static_cast<int>(count);
+        ++count;
+    }
+    bool usable = true;
+    (void)angular_axes(report.table, l, count, x, z, usable);
+    if (!usable) report.add(Alarm::ParameterContradicts, report.line(f8200, l) + " and " + report.line(f8210, l));
+    else if (get(report.table, pt_balance, l) != 0) report.add(Alarm::ParameterContradicts, report.line(f8200, l) + " and " + report.line(pt_balance, l) + ": an inclined slide cuts in no balance");
+}
+
 // Barriers around chucks and tailstocks (20): sizes are sizes.
 void check_barriers(Report& report, unsigned l) {
     constexpr std::array kSizes{n1901_l1_length_of_jaws, n1902_w1_width_of_jaws, n1903_l2_holding_length_of_jaws, n1904_w2_holding_width_of_jaws,
@@ -80,7 +99,7 @@ void check_couplings(Report& report) {
         check_exchange(report, x.number);
     }
     for (unsigned l = 1; l <= kMaxChannels; ++l)
-        if (get(report.table, n0000_machine_group, l) != 0) check_balance(report, l), check_barriers(report, l);
+        if (get(report.table, n0000_machine_group, l) != 0) check_balance(report, l), check_angular(report, l), check_barriers(report, l);
 }
 
 }  // namespace polyturn::config

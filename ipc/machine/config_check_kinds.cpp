@@ -49,7 +49,7 @@ void check_loops(Report& report, unsigned a) {
         report.add(Alarm::ConfigLoop, report.line(n0533_tandem_master, a) + " with " + report.line(n0514_servo_control, a) + ": its loop is closed");
     if (const unsigned device = other(n0534_dual_position_axis_number)) {
         const std::string line = report.line(n0534_dual_position_axis_number, a);
-        if (!bit(report.table, n0106_axis_properties, device, 4) && get(report.table, n0002_axis_assign, device) != 99)
+        if (!bit(report.table, n0106_axis_properties, device, 4))
             report.add(Alarm::ConfigLoop, line + ": " + report.line(n0106_axis_properties, device) + " is not virtual");
         else if (get(report.table, n0503_axis_output_address, device) != 0)
             report.add(Alarm::ConfigLoop, line + ": " + report.line(n0503_axis_output_address, device));

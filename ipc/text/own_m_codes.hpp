@@ -20,7 +20,7 @@ inline constexpr auto kFanucMCodes = std::to_array<OwnMCode>({
     {"M2", "End of the program"},
     {"M30", "End of the program, back to its beginning"},
     {"M96", "Interrupt program on: P is the program"},
-    {"M97", "Interrupt program off"},
+    {"M97", "Interrupt program off; P: calls from that block, to M99"},
     {"M98", "Call of a subprogram: P number or a name in angle brackets, L times"},
     {"M99", "End of the subprogram, P: back to that block; in a main program from the beginning again"},
     {"M198", "Call of a subprogram from outside (PT_EXTERNAL)"},

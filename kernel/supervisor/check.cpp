@@ -116,6 +116,7 @@ private:
         std::vector<std::string> arguments = {"--check", "--channel", std::to_string(channel), "--language", program.language};
         for (auto& argument : plan_.machine_arguments()) arguments.push_back(std::move(argument));
         if (options_.variables) arguments.push_back("--variables");
+        arguments.insert(arguments.end(), {"--most-blocks", std::to_string(options_.most_blocks)});
         if (!shared_path_.empty()) arguments.insert(arguments.end(), {"--shared", shared_path_});
         if (plan_.programs.size() == 1) arguments.push_back("--alone");  // nobody else can have started its spindle
         arguments.push_back(program.file);

@@ -99,6 +99,7 @@ CommandLine read_command_line(int argc, char** argv) {
 
     CLI::App* check = app.add_subcommand("check", tell("Interprets programs and matches their waits; nothing moves"));
     add_job_options(*check, line.job);
+    check->add_option("--most-blocks", line.job.most_blocks, tell("blocks after which a program counts as endless (default 10000000); 0: no limit"));
     CLI::App* run = app.add_subcommand("run", tell("Runs programs on a private machine, in real or virtual time"));
     add_job_options(*run, line.job);
     add_run_options(*run, line.job);

@@ -55,6 +55,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"keeps what the programs write in this folder", "сохраняет в этой папке то, что записывают программы", "uchová v této složce, co programy zapíší", "ebben a mappában őrzi meg, amit a programok írnak"},
     {"also report every variable that a program writes", "сообщать и о каждой переменной, которую записывает программа", "hlásit také každou proměnnou, kterou program zapíše",
      "minden változót is jelent, amelyet egy program ír"},
+    {"blocks after which a program counts as endless (default 10000000); 0: no limit", "кадры, после которых программа считается бесконечной (по умолчанию 10000000); 0: без предела",
+     "bloky, po nichž program platí za nekonečný (výchozí 10000000); 0: bez meze", "mondatok, amelyek után a program végtelennek számít (alapérték 10000000); 0: nincs határ"},
     {"only alarms, messages and the summary", "только аварии, сообщения и итог", "jen poruchy, hlášení a souhrn", "csak hibák, üzenetek és az összegzés"},
     {"what happens while it runs (TOML)", "что происходит во время прогона (TOML)", "co se děje za běhu (TOML)", "ami futás közben történik (TOML)"},
     {"report each change of this flag or register, such as 'CN_WTNG L1' (run); repeatable", "сообщать о каждом изменении этого флага или регистра, например 'CN_WTNG L1' (run); можно повторять",

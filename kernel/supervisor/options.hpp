@@ -1,5 +1,6 @@
 // What the command line says, before anything is read or started (cli.md 1, 4, 7).
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct JobOptions {
     std::vector<std::string> sets, param_files;
     std::vector<std::string> instead;    // "FILE=COPY": of a job's program, the text that is read in its place
     bool variables = false, quiet = false;
+    std::uint64_t most_blocks = 10'000'000;  // check: a longer program counts as one without an end; 0: no limit
     // run only
     bool virtual_time = false, report = false;
     std::string trace_file, plot_file, scenario;

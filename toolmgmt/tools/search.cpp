@@ -182,11 +182,12 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
     }
     if (best) return found(values, question, best);
     if (any) return refused(Alarm::ToolsUsedUp, called(question));
-    // Where nobody works with type numbers, T is the station of the turret.
+    // Where nobody works with type numbers, T is the station of the turret; a station in which nothing stands is no tool, and the turret
+    // does not come round with it.
     const TurretOf turret = turret_of(t, question.channel);
     if (question.name.empty() && question.by == ToolCallBy::Type && turret.magazine && !typed)
         if (const ToolPlace* place = find_place(places, turret.magazine, static_cast<std::int32_t>(whole))) {
-            if (place->tool == 0) return empty_place(place->magazine, place->pot);
+            if (place->tool == 0) return refused(Alarm::ToolNotFound, called(question));
             return usable(*values.tool(place->tool)) ? found(values, question, place->tool) : refused(Alarm::ToolsUsedUp, called(question));
         }
     return refused(Alarm::ToolNotFound, called(question));

@@ -129,8 +129,8 @@ const Row kRows[] = {
     {{"N0900 A2=1", "N0901 A2=100", "N0902 A2=0"}, Alarm::ConfigHoming, "N0902 A2=0"},
     // Loops and drives: part 1, 7.1, 7.9.
     {{"N0514#7 A3=1", "N0514#7 A4=1", "N0533 A3=4", "N0533 A4=2"}, Alarm::ConfigLoop, "N0533 A3=4"},
-    {{"N0002 A11=99", "N0534 A1=11", "N0534 A3=11"}, Alarm::ConfigLoop, "N0534 A1=11 and N0534 A3=11"},
-    {{"N0002 A11=99", "N0534 A1=11", "N0537 A1=0.1", "N0538 A1=0.2"}, Alarm::ConfigLoop, "N0538 A1=0.2"},
+    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0534 A3=11"}, Alarm::ConfigLoop, "N0534 A1=11 and N0534 A3=11"},
+    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0537 A1=0.1", "N0538 A1=0.2"}, Alarm::ConfigLoop, "N0538 A1=0.2"},
     {{"N0503 A2=43"}, Alarm::ConfigOutputShared, "N0503 A2=43 and N0603 S3=43"},
     // Strokes without room: part 1, 11.
     {{"N1000 A2=00000011", "N1001 L1=00000011", "N1006 A2=1200", "N1007 A2=1100"}, Alarm::ConfigStroke, "N1006 A2=1200"},
@@ -158,6 +158,19 @@ const Row kRows[] = {
     {{"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10030"}, Alarm::ConfigPitch, "N2506 A5=360"},
     {{"N2500 A2=1", "N2501 A2=10", "N2502 A2=20000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2502 A2=20000"},
     {{"N2500 A2=1", "N2501 A2=0", "N2502 A2=10000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2501 A2=0"},
+    // An inclined slide (fanuc_lathe 10.5): its angle; and what it cannot do.
+    {{"F8200#0 L1=1"}, Alarm::ParameterContradicts, "F8210 L1=0"},
+    {{"F8200#0 L1=1", "F8210 L1=90"}, Alarm::ParameterContradicts, "F8210 L1=90"},
+    {{"F8200#0 L1=1", "F8210 L1=30", "PT_BALANCE L1=2", "PT_BALANCE L2=1"}, Alarm::ParameterContradicts, "PT_BALANCE L1=2"},
+    {{"N0002 A7=99", "N0534 A1=7"}, Alarm::ConfigLoop, "is not virtual"},   // measured only, but its loop could be closed
+    // Stored, and nothing acts on it.
+    {{"N1402#1 L1=1"}, Alarm::ParamWithoutEffect, "N1402 L1="},
+    {{"N1402#2 L2=1"}, Alarm::ParamWithoutEffect, "N1402 L2="},
+    {{"N1755#4 L1=1"}, Alarm::ParamWithoutEffect, "N1755 L1="},
+    {{"N1758#5 L1=1"}, Alarm::ParamWithoutEffect, "N1758 L1="},
+    {{"N1800#2 L1=1"}, Alarm::ParamWithoutEffect, "N1800 L1="},
+    {{"N3103 L1=0.01"}, Alarm::ParamWithoutEffect, "N3103 L1="},
+    {{"MD20480 L1=1"}, Alarm::ParamWithoutEffect, "MD20480 L1="},
 };
 
 TEST(MachineCheck, NamesParameterScopeAndValueOfEachContradiction) {

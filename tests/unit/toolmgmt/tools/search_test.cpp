@@ -55,6 +55,16 @@ TEST(TCall, SearchesTheMagazinesOfTheChannelOnly) {
     EXPECT_EQ(rig.found(kType, 5, {}, 2), minus(Alarm::ToolNotFound));   // NM1 is on, but magazine 1 is the other channel's turret
 }
 
+// Where nobody works with type numbers T is a station; one in which nothing stands is "no such tool", not a turret that comes round with nothing.
+TEST(TCall, OfAnEmptyStationIsNoTool) {
+    ToolRig rig;
+    EXPECT_EQ(rig.found(kType, 5), minus(Alarm::ToolNotFound));
+    const int tool = rig.add({{"name", "ROUGH"}}, 1, 5);
+    EXPECT_EQ(rig.found(kType, 5), tool);
+    EXPECT_EQ(rig.found(kType, 6), minus(Alarm::ToolNotFound));
+    EXPECT_EQ(rig.found(kType, 0), 0) << "T0 puts the tool away";
+}
+
 TEST(TCall, OfAUnitSeesTheToolsOfThatUnitAndThoseOfAll) {
     ToolRig rig;
     rig.set("PT_TOOL_UNIT L1=2");
