@@ -154,6 +154,7 @@ constexpr auto kLeftOut = std::to_array<LeftOut>({
     {"FagorTangential", "fagor: G37 to G39"},
     {"FagorZoneEntered", "fagor: G122"},
     {"FagorZoneLeft", "fagor: G122"},
+    {"ProgramAlarmUnsure", "several channels whose axes follow each other: examples/jobs/transfer, tests/e2e/check_and_run_e2e.py"},
     {"SubframeRotates", "sinumerik: corners and compensation in a plane that a frame inclines"},
 });
 

@@ -236,6 +236,7 @@ private:
         what << "restart " << set << ' ';
         for (unsigned k = 0; k < model.c.size(); ++k) {
             if (!(set >> k & 1u)) continue;
+            command(CommandKind::Mode, k + 1, static_cast<double>(ChannelMode::Auto));   // a restart does not change it
             command(CommandKind::Restart, k + 1, 100, 0, 0, set);
             Model::Channel& a = model.c[k];
             if (over) continue;

@@ -12,7 +12,7 @@ struct Meeting : TickRig {
     using TickRig::TickRig;
     void arrive(unsigned l, std::uint32_t set = kBoth, int code = kCode) {
         push(l, wait(l, code, set));
-        push(l, line(l, {5, 0}, 20));
+        push(l, l <= 2 ? line(l, {5, 0}, 20) : dwell(l, 1));   // L3 has no axes
         start(l);
         run(10);
     }

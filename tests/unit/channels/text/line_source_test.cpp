@@ -50,7 +50,7 @@ TEST(LineSource, EndsLinesAtLfCrlfAndCr) {
 TEST(LineSource, RefusesWhatIsNoText) {
     LineSource source;
     EXPECT_EQ(source.open("/does/not/exist").diagnosis().alarm, Alarm::FileUnreadable);
-    EXPECT_EQ(source.open("/tmp").diagnosis().alarm, Alarm::FileUnreadable);
+    EXPECT_EQ(source.open("/tmp").diagnosis().alarm, Alarm::FileKind);
     EXPECT_EQ(source.open_text(std::string_view("\xFF\xFEG\0", 4), "t").diagnosis().alarm, Alarm::FileUtf16);
     EXPECT_EQ(source.open_text(std::string_view("G\0000\0", 4), "t").diagnosis().alarm, Alarm::FileUtf16);
     EXPECT_EQ(source.open_text(std::string_view("G0 X1\nG1\0Z", 10), "t").diagnosis().alarm, Alarm::FileBinary);
