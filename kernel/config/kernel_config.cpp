@@ -52,6 +52,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.jog_max_feed = p::get(t, p::n0315_jog_max_feed, a) * unit / 60.0;
     axis.setup_feed = p::get(t, p::pt_setup_feed, a) * unit / 60.0;
     axis.acceleration = p::get(t, p::n0400_acceleration, a) * unit;
+    axis.normal_acceleration = p::get(t, p::n0402_normal_acc, a) * unit;
     const double rise = p::get(t, p::n0401_acc_tc, a);
     axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
     axis.servo = read_servo(t, a, unit);

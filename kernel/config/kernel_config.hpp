@@ -31,6 +31,7 @@ struct AxisConfig {
     double manual_rapid = 0, jog_max_feed = 0;
     double setup_feed = kUnlimited;       // PT_SETUP_FEED, mm/s
     double acceleration = 0;              // mm/s2
+    double normal_acceleration = 0;       // mm/s2 across the path (N0402): the channel's limit on bends
     double jerk = kUnlimited;             // mm/s3; N0401 = 0 means that acceleration may step
     double estop_deceleration = 0;        // mm/s2, without jerk limit
     double tick_s = 0.001;

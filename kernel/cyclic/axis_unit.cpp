@@ -255,7 +255,7 @@ void AxisUnit::take_limits() noexcept {
 void AxisUnit::widen_limits() noexcept {
     const double fastest = std::max({config_.rapid, config_.max_feed, config_.manual_rapid, config_.jog_max_feed});
     fastest_ = fastest > 0 ? std::max(fastest_, fastest) : std::numeric_limits<double>::infinity();
-    hardest_ = config_.acceleration > 0 ? std::max(hardest_, config_.acceleration) : std::numeric_limits<double>::infinity();
+    hardest_ = config_.acceleration > 0 ? std::max({hardest_, config_.acceleration, config_.normal_acceleration}) : std::numeric_limits<double>::infinity();
 }
 
 void AxisUnit::set_most() noexcept {

@@ -553,7 +553,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
 
 bool ChannelRunner::polls() const noexcept {
     return (control_ & kControlPolls) && segment_ && state_ == ChannelState::Running && phase_ == Phase::None && cursor_ + 1 == inbox_.head(cursor_) &&
-           static_cast<RecordKind>(record(cursor_).kind) == RecordKind::Barrier;
+           inbox_.kind_of(cursor_) == RecordKind::Barrier;
 }
 
 bool ChannelRunner::can_go_on() const noexcept {

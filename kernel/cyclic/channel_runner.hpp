@@ -181,7 +181,7 @@ public:
     bool stands() const noexcept {
         if (!segment_ || !program_runs()) return true;
         if (trail_.active()) return false;
-        return cursor_ >= inbox_.head(cursor_) || (record(cursor_).flags & kDrains) != 0;
+        return cursor_ >= inbox_.head(cursor_) || (inbox_.flags_of(cursor_) & kDrains) != 0;
     }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
     std::int32_t m_code() const noexcept { return m_code_; }   // given to the PLC last; -1 none

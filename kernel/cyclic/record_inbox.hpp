@@ -45,6 +45,9 @@ public:
     void look(std::uint64_t cursor) noexcept;
     // Of a record that is judged, or only lies there.
     std::uint32_t epoch_of(std::uint64_t index) const noexcept { return index < taken_ ? record(index).epoch : segment_->path.slot(index).epoch; }
+    // Likewise: whether a run in virtual time may go on is decided before the tick that takes it. Nothing is driven by these.
+    RecordKind kind_of(std::uint64_t index) const noexcept { return static_cast<RecordKind>(index < taken_ ? record(index).kind : segment_->path.slot(index).kind); }
+    std::uint32_t flags_of(std::uint64_t index) const noexcept { return index < taken_ ? record(index).flags : segment_->path.slot(index).flags; }
     // Copies and judges up to `end`, those of `epoch`.
     void take(std::uint64_t cursor, std::uint64_t end, std::uint32_t epoch, const Core& core, unsigned channel) noexcept;
     std::uint64_t taken() const noexcept { return taken_; }
