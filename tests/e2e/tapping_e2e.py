@@ -90,7 +90,7 @@ class Tapping(Case):
                         self.assertTrue(told, done.said())
                         if verb == "check":
                             self.assertIn("tapping", told[0]["text"])
-                        self.assertIn("S1", told[0]["text"])
+                            self.assertIn("S1", told[0]["text"])
                         self.assertFalse([e for e in done.of("move") if e["kind"] in ("linear", "thread")], "nothing has cut\n" + done.said())
 
     def test_a_floating_holder_gives_no_more_than_the_spindles_ramps(self):

@@ -189,6 +189,8 @@ class Tools(LiveCase):
     def test_the_status_shows_the_tool_that_n2901_tsp_names(self):
         self.start("N2901 L2=10000000")
         self.do("press", "machine_on")
+        self.do("tools", "add", "5", "name=ROUGH")
+        self.do("tools", "load", "5", "1", "5")   # a station in which nothing stands is no tool
         self.by_hand("L1", "T0500")
         self.wait_for(lambda: self.channel().get("active_tool") == 5, 10, "CP_ACTT")
         self.do("set", "CP_ACTT L2=7")
