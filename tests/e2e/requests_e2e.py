@@ -49,6 +49,7 @@ class Requests(LiveCase):
         super().setUp()
         self.start()
         self.addCleanup(self.stop)   # before its folder goes: the store writes its last words there
+        self.wait_for(lambda: {"channel 1", "channel 2"} <= set(self.pids()), 20, "both channels: status answers before they are there")
 
     def client(self):
         one = Client(self.name)

@@ -133,6 +133,7 @@ class SocketFuzz(LiveCase):
     def test_the_same_processes_live_and_answer(self):
         self.start()
         self.addCleanup(self.stop)
+        self.wait_for(lambda: {"channel 1", "channel 2"} <= set(self.pids()), 20, "both channels: status answers before they are there")
         before = self.pids()
         draw = Draw(SEED)
         last, sent = [], 0
