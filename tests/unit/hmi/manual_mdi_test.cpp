@@ -52,8 +52,9 @@ TEST_F(MdiTasks, EnterTakesTheBlockAndStartRunsIt) {
     frames(*window, 500);
     EXPECT_NEAR(x(), from + 5, 1e-6) << "what has run does not run again";
     EXPECT_EQ(live().channel(1).parts, 0u);
-    noWordIsShortened(*window);   // in all languages, with the list on the page
-    hand.touch(&manual.side(), Manual::kMdiClearHit);
+    noWordIsShortened(*window);   // in all languages, with the list on the page; makes the screens anew
+    hand.screen("manual");
+    hand.touch(&screenOf<Manual>().side(), Manual::kMdiClearHit);
     EXPECT_TRUE(waitFor([&] { return list().count == 0; }));
     hand.key(Qt::Key_Escape);
     ASSERT_TRUE(g_controller->press("mode L1=auto"));

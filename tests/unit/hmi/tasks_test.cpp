@@ -7,6 +7,7 @@
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/programs.hpp"
 #include "hmi/screens/system.hpp"
+#include "ipc/machine/start_words.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
@@ -110,12 +111,12 @@ TEST_F(Tasks, LeaveAHoldJogAwayAndReturn) {
     frames(*window, 300);
     hand.soft("Jog in hold L1");
     Manual& manual = screenOf<Manual>();
-    ASSERT_TRUE(waitFor([&] { return (live().channel(1).start_missing >> 7 & 1u) != 0; }));
+    ASSERT_TRUE(waitFor([&] { return (live().channel(1).start_missing & start_bit("back_on_path")) != 0; }));
     hand.touch(&manual.axes(), Manual::kStepHits + 5);     // 10 mm
     hand.touch(&manual.axes(), Manual::jogHit(1, true));
     ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - left_at) > 1.0 && !(live().status().axes[0].flags & kMoving); })) << live().status().axes[0].cmd;
     hand.soft("Return L1"), hand.soft("Return L1");   // axes move: asked once more
-    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - left_at) < 1e-9 && (live().channel(1).start_missing >> 7 & 1u) == 0; }));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - left_at) < 1e-9 && (live().channel(1).start_missing & start_bit("back_on_path")) == 0; }));
     hand.soft("Start L1");
     EXPECT_LE(hand.actions, 8);
     EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Waiting; }));
