@@ -27,6 +27,7 @@ constexpr Row kRows[] = {
     {"zeros.list", UserLevel::None, zero_operation},        {"zeros.", UserLevel::Setter, zero_operation},
     {"parts.measure", UserLevel::Operator, part_operation}, {"parts.accept", UserLevel::Operator, part_operation}, {"parts.", UserLevel::Setter, part_operation},
     {"users.login", UserLevel::None, user_operation},      {"users.password", UserLevel::None, user_operation}, {"users.", UserLevel::Maker, user_operation},
+    {"parameters.", UserLevel::None, parameter_operation},
     {"pallets.list", UserLevel::None, pallet_operation},   {"pallets.", UserLevel::Operator, pallet_operation}, {"backup.", UserLevel::Setter, backup_operation},
     {"compensation.", UserLevel::Maker, compensation_operation},
     {"restore.", UserLevel::Maker, backup_operation},      {"store.state", UserLevel::None, store_operation},  {"store.", UserLevel::Maker, store_operation},
@@ -97,12 +98,17 @@ bool read_real(const Json& request, const char* key, double& out, Work& work, bo
     return false;
 }
 
-bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work) {
+bool as_expected(const Json& request, double present, const std::string& what, Work& work) {
     double expected = 0;
-    if (request.contains("expected")) {
-        if (!read_real(request, "expected", expected, work)) return false;
-        if (std::abs(expected - present) > 5e-7) return work.fault(Alarm::StoreRequestBad, what + " is " + shortest_text(present) + " by now, not " + shortest_text(expected), 0, "expected"), false;
-    }
+    if (!request.contains("expected")) return true;
+    if (!read_real(request, "expected", expected, work)) return false;
+    if (std::abs(expected - present) <= 5e-7) return true;
+    work.fault(Alarm::StoreRequestBad, what + " is " + shortest_text(present) + " by now, not " + shortest_text(expected), 0, "expected");
+    return false;
+}
+
+bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work) {
+    if (!as_expected(request, present, what, work)) return false;
     const bool delta = request.contains("delta");
     if (delta && request.contains("value")) return work.fault(Alarm::RequestBad, "value or delta, not both", 0, "delta"), false;
     const bool added = read_flag(request, "incremental", work) || delta;

@@ -110,6 +110,7 @@ Json part_operation(std::string_view what, const Json& request, Work& work);
 Json alarm_operation(std::string_view what, const Json& request, Work& work);
 Json stop_operation(std::string_view what, const Json& request, Work& work);
 Json user_operation(std::string_view what, const Json& request, Work& work);
+Json parameter_operation(std::string_view what, const Json& request, Work& work);
 Json pallet_operation(std::string_view what, const Json& request, Work& work);
 Json compensation_operation(std::string_view what, const Json& request, Work& work);
 Json backup_operation(std::string_view what, const Json& request, Work& work);
@@ -127,6 +128,8 @@ Json read_object(const Json& request, const char* key, Work& work);
 // What is entered: «value», or «delta» on top of `present` (and «value» with «incremental»), whoever wrote `present` in between. With
 // «expected» it is refused when something else stands there. False: a fault tells why. Rounded to a billionth, so that 0.8 and 0.4 are 1.2.
 bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work);
+// Its half: «expected», where it is said, is what stands there.
+bool as_expected(const Json& request, double present, const std::string& what, Work& work);
 
 // What has been computed, for people: to a millionth of its unit.
 inline double rounded(double value) { return std::round(value * 1e6) / 1e6; }

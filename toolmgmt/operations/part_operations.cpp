@@ -124,6 +124,14 @@ Json dimension(const Work& work, std::int32_t number) {
     return out;
 }
 
+// A column's value may be an entry: {"delta":0.01} is added to what stands there.
+bool read_column(Work& work, const Json& fields, std::int32_t number, const Column& column, double& out) {
+    const Json& value = fields[column.name];
+    if (!value.is_object()) return read_real(fields, column.name, out, work);
+    const std::string what = "dimension " + std::to_string(number) + " " + column.name;
+    return read_entry(value, value_of(work.values, number, column.name, column.fallback), what, out, work);
+}
+
 bool read_fields(Work& work, const Json& request, std::int32_t number, bool fresh) {
     const Json fields = read_object(request, "fields", work);
     for (const auto& [name, value] : fields.items()) {
@@ -137,7 +145,7 @@ bool read_fields(Work& work, const Json& request, std::int32_t number, bool fres
         const auto* column = std::find_if(std::begin(kColumns), std::end(kColumns), [&, wanted = name](const Column& c) { return wanted == c.name; });
         double real = 0;
         if (column == std::end(kColumns)) work.fault(Alarm::StoreRequestBad, "there is no column " + name, 0, name);
-        else if (read_real(fields, name.c_str(), real, work)) {
+        else if (read_column(work, fields, number, *column, real)) {
             if (real < column->least || real > column->most) work.fault(Alarm::StoreRequestBad, name + "=" + shortest_text(real) + ": " + shortest_text(column->least) + " to " + shortest_text(column->most), 0, name);
             else set_value(work.values, dimension_key(number, name), real, work.changes);
         }
@@ -194,7 +202,9 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
         const Json now = dimension(work, number);
         double correction = 0;
         if (!now.contains("proposal") || !read_real(now, "proposal", correction, work)) return work.fault(Alarm::StoreRequestBad, "nothing was measured since the last correction"), Json();
-        read_real(request, "value", correction, work, false);
+        // «expected»: the proposal that somebody has seen; «delta»: more or less than it, whatever was measured meanwhile.
+        if ((request.contains("value") || request.contains("delta")) && !read_entry(request, correction, "the proposal", correction, work)) return {};
+        if (!request.contains("value") && !request.contains("delta") && request.contains("expected") && !as_expected(request, correction, "the proposal", work)) return {};
         const double limit = value_of(values, number, "limit", 0.05);
         if (std::fabs(correction) > limit) return work.fault(Alarm::StoreRequestBad, "a correction of " + shortest_text(correction) + " mm: at most " + shortest_text(limit), 0, "value"), Json();
         const auto channel = static_cast<std::int32_t>(value_of(values, number, "channel", 1));

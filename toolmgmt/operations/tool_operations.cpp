@@ -60,13 +60,48 @@ Json tool_json(const StoreValues& values, std::int32_t number) {
     return out;
 }
 
-bool set_fields(Work& work, std::int32_t number, const Json& fields, int row) {
+namespace {
+
+// The number that stands in a column now, or in an edge («D1.DP6»); nothing: it is none.
+std::optional<double> number_in(const StoreValues& values, std::int32_t number, const std::string& name) {
+    int edge = 0, parameter = 0, used = 0;
+    if (std::sscanf(name.c_str(), "D%d.DP%d%n", &edge, &parameter, &used) == 2 && name[static_cast<std::size_t>(used)] == 0) {
+        const ToolEdge* const found = find_edge(values, number, edge);
+        return parameter < 1 || parameter > 35 ? std::nullopt : std::optional(found ? found->dp[static_cast<std::size_t>(parameter)] : 0.0);
+    }
+    const auto field = find_tool_field(name);
+    if (!field) return {};
+    const ToolField& column = tool_fields()[*field];
+    if (column.type != ToolFieldType::Number && column.type != ToolFieldType::Whole) return {};
+    return tool_number(*values.tool(number), column);
+}
+
+// {"counter":{"delta":2}}: on top of what stands there, whoever has written it; and told what it was and has become.
+bool enter_field(Work& work, std::int32_t number, const std::string& name, const Json& entry, int row, Json& told) {
+    const auto present = number_in(work.values, number, name);
+    if (!present) return work.fault(Alarm::ToolValueBad, name + ": nothing is added to it", row, name), false;
+    double value = 0;
+    if (!read_entry(entry, *present, "tool " + std::to_string(number) + " " + name, value, work)) return false;
+    if (!set_field(work, number, name, shortest_text(value), row)) return false;
+    told.push_back({{"field", name}, {"old", *present}, {"new", value}});
+    return true;
+}
+
+}  // namespace
+
+bool set_fields(Work& work, std::int32_t number, const Json& fields, int row, Json* entries) {
     if (!fields.is_object()) return work.fault(Alarm::StoreRequestBad, "fields are missing", row), false;
     bool good = true;
+    Json told = Json::array();
     for (const auto& [name, value] : fields.items()) {
+        if (value.is_object()) {
+            good = enter_field(work, number, name, value, row, told) && good;
+            continue;
+        }
         const std::string text = value.is_string() ? value.get<std::string>() : value.is_boolean() ? (value.get<bool>() ? "1" : "0") : value.is_number() ? shortest_text(value.get<double>()) : value.dump();
         if (!set_field(work, number, name, text, row)) good = false;
     }
+    if (entries) *entries = std::move(told);
     return good;
 }
 
@@ -300,7 +335,13 @@ Json tool_operation(std::string_view what, const Json& request, Work& work) {
     if (what != "show" && what != "set" && what != "delete") return work.fault(Alarm::StoreRequestBad, "tools." + std::string(what)), Json();
     const std::int32_t number = which(request, work);
     if (!number) return {};
-    if (what == "set") set_fields(work, number, request.contains("fields") ? request["fields"] : Json(), 0);
+    if (what == "set") {
+        Json entries, out;
+        set_fields(work, number, request.contains("fields") ? request["fields"] : Json(), 0, &entries);
+        out = tool_json(work.values, number);
+        if (!entries.empty()) out["entries"] = std::move(entries);
+        return out;
+    }
     if (what == "delete") {
         if (!works(work.values, number, work, "deleted")) remove_tool(work, number);
         return {{"tool", number}};

@@ -64,6 +64,29 @@ TEST(Compensation, WhatCannotBeIsRefusedAsAWhole) {
     EXPECT_FALSE(rig.run({{"do", "compensation.set"}, {"cells", rows({Json::array({10001, 1})})}})) << "a machine without a folder";
 }
 
+// A program has measured (G10 L50) since the page read the file: what is added is added to that.
+TEST(Compensation, WhatIsAddedIsAddedToWhatTheFileHasByThen) {
+    Measured rig;
+    const auto cell = [&](const Json& value) { return rig.run({{"do", "compensation.set"}, {"cells", rows({Json::array({10002, value})})}}); };
+    const auto point = [&](const Json& value) { return rig.run({{"do", "compensation.set"}, {"points", rows({Json::array({1, 2, 1, value})})}}); };
+    ASSERT_TRUE(cell(0.025) && point(0.1)) << rig.said();
+    ASSERT_TRUE(cell({{"delta", 0.005}})) << rig.said();
+    EXPECT_EQ(rig.answer["entries"][0]["old"], 0.025);
+    EXPECT_EQ(rig.answer["entries"][0]["new"], 0.03);
+    EXPECT_NE(rig.text().find("10002=0.03\n"), std::string::npos) << rig.text();
+    ASSERT_TRUE(point({{"delta", -0.02}})) << rig.said();
+    EXPECT_NE(rig.text().find("3D L1 2=0 0.08 0\n"), std::string::npos) << rig.text();
+    EXPECT_EQ(rig.answer["entries"][0]["new"], 0.08);
+    const std::string kept = rig.text();
+    EXPECT_FALSE(cell({{"value", 0.025}, {"expected", 0.02}})) << "nothing is taken back that does not stand there any more";
+    EXPECT_FALSE(cell({{"delta", 1e300}}));
+    EXPECT_FALSE(cell(Json::object()));
+    EXPECT_FALSE(rig.run({{"do", "compensation.set"}, {"points", rows({Json::array({1, 1, 0, {{"delta", 0.001}}})})}})) << "machine zero";
+    EXPECT_EQ(rig.text(), kept);
+    ASSERT_TRUE(rig.run({{"do", "compensation.set"}, {"cells", rows({Json::array({10002, {{"delta", 0.001}}}), Json::array({10002, {{"delta", 0.001}}})})}})) << rig.said();
+    EXPECT_NE(rig.text().find("10002=0.032\n"), std::string::npos) << rig.text();
+}
+
 TEST(Compensation, OneEndOfARepeatingTableIsKeptAndToldOf) {
     Measured rig;
     for (const char* line : {"N2500 A2=5", "N2502 A2=10000", "N2506 A2=30"}) rig.set(line);

@@ -2,6 +2,7 @@
 // Operations of the store: all of it or nothing, every fault named.
 #include "../tools/tool_rig.hpp"
 #include "ipc/machine/store_requests.hpp"
+#include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/apply_request.hpp"
 
 #include <set>
@@ -315,6 +316,81 @@ TEST(Offsets, AddUpWhoeverWritesInBetween) {
     Json both = wear;
     both["value"] = 0.1, both["delta"] = 0.1;
     EXPECT_FALSE(rig.run(both));
+}
+
+// The same of every other number that a screen adds to: between its picture and its key the machine counts, a cycle measures, another panel
+// enters.
+TEST(ToolColumns, AddUpWhoeverWritesInBetween) {
+    ToolRig rig;
+    const int tool = rig.add({{"life_kind", "minutes"}, {"life", 60}, {"counter", 12.5}, {"D1.DP1", 500}, {"D1.DP6", 0.4}});
+    std::mt19937 random(3);
+    double sum = 12.5;
+    for (int i = 0; i < 200; ++i) {
+        const double step = static_cast<double>(random() % 100) / 64;
+        if (random() % 2) {   // the kernel counts minutes of cutting
+            rig.values->tools.rows[static_cast<std::size_t>(tool - 1)].counter += step;
+        } else {
+            ASSERT_TRUE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"counter", {{"delta", step}}}}}})) << rig.said();
+            EXPECT_NEAR(rig.answer["entries"][0]["new"].get<double>() - rig.answer["entries"][0]["old"].get<double>(), step, 1e-8);
+        }
+        sum += step;
+        ASSERT_NEAR(rig.values->tool(tool)->counter, sum, 1e-6);
+    }
+    ASSERT_TRUE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"D1.DP6", {{"delta", 0.4}}}, {"life", 90}}}})) << rig.said();
+    EXPECT_EQ(toolmgmt::find_edge(*rig.values, tool, 1)->dp[6], 0.8);
+    EXPECT_EQ(rig.values->tool(tool)->life, 90);
+    EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"life", {{"value", 30}, {"expected", 60}}}}}})) << "it is 90 by now";
+    EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"name", {{"delta", 1}}}}}}));
+    EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"locked", {{"delta", 1}}}}}}));
+    EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"life", {{"delta", -1000}}}}}})) << "its limits hold";
+    EXPECT_EQ(rig.values->tool(tool)->life, 90);
+}
+
+TEST(Parts, AddUpWhoeverWritesInBetween) {
+    ToolRig rig;
+    const int tool = rig.add({{"h", 3}});
+    ASSERT_TRUE(rig.run({{"do", "parts.add"}, {"fields", {{"nominal", 30}, {"upper", 0.02}, {"lower", -0.02}, {"tool", tool}, {"channel", 1}, {"axis", "X"}, {"limit", 0.5}}}})) << rig.said();
+    EXPECT_EQ(rig.answer["dimension"], 1) << "the store knows which number is free";
+    const auto set = [&](const char* field, const Json& value) { return rig.run({{"do", "parts.set"}, {"dimension", 1}, {"fields", {{field, value}}}}); };
+    ASSERT_TRUE(set("upper", 0.05));   // another panel
+    ASSERT_TRUE(set("upper", {{"delta", 0.01}})) << rig.said();
+    EXPECT_EQ(rig.answer["upper"], 0.06);
+    EXPECT_FALSE(set("upper", {{"delta", -0.09}})) << "below lower";
+    // Between the proposal that is shown and the key a part was measured.
+    ASSERT_TRUE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", 30.06}}));
+    const double seen = rig.answer["proposal"];
+    ASSERT_TRUE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", 30.10}}));
+    const double now = rig.answer["proposal"];
+    ASSERT_NE(seen, now);
+    EXPECT_FALSE(rig.run({{"do", "parts.accept"}, {"dimension", 1}, {"expected", seen}})) << "not the one that was agreed to";
+    ASSERT_TRUE(rig.run({{"do", "parts.accept"}, {"dimension", 1}, {"delta", 0.005}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"].get<double>(), now + 0.005, 1e-9);
+}
+
+TEST(Parameters, AddUpWhoeverWritesInBetween) {
+    ToolRig rig;
+    const Json target{{"do", "parameters.set"}, {"target", "N1600 L1"}};
+    const auto with = [&](std::initializer_list<std::pair<const char*, Json>> more) {
+        Json out = target;
+        for (const auto& [key, value] : more) out[key] = value;
+        return out;
+    };
+    rig.set("N1600 L1=2");
+    ASSERT_TRUE(rig.run(with({{"delta", 0.5}}))) << rig.said();
+    EXPECT_EQ(rig.answer["old"], 2);
+    EXPECT_EQ(rig.answer["new"], 2.5);
+    rig.set("N1600 L1=4");   // somebody else
+    ASSERT_TRUE(rig.run(with({{"delta", 0.5}}))) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 4.5);
+    EXPECT_FALSE(rig.run(with({{"value", 2}, {"expected", 2.5}}))) << "nothing is taken back that does not stand there any more";
+    EXPECT_TRUE(rig.run(with({{"value", 2}, {"expected", 4.5}}))) << rig.said();
+    EXPECT_FALSE(rig.run(with({{"delta", -1e3}}))) << "its limits hold";
+    EXPECT_FALSE(rig.run(with({{"delta", 0.5}}), UserLevel::None)) << "its level holds";
+    for (const char* wrong : {"N1600", "N1600 L99", "N0104#2 L1", "nothing", "PT_PROGRAM_FOLDERS L1", ""})
+        EXPECT_FALSE(rig.run({{"do", "parameters.set"}, {"target", wrong}, {"delta", 1}})) << wrong;
+    EXPECT_FALSE(rig.run({{"do", "parameters.set"}, {"target", "N0104 L1"}, {"delta", 1}})) << "bits are no number";
+    EXPECT_TRUE(rig.run({{"do", "parameters.set"}, {"target", "N2900"}, {"value", 3}, {"expected", 1}})) << rig.said();
+    EXPECT_EQ(params::get(rig.values->parameters, params::n2900_tool_m_config), 3);
 }
 
 TEST(Users, WrongLoginsCostTheStoreNoTime) {
