@@ -12,6 +12,7 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"there is no such offset", "такого корректора нет", "taková korekce není", "nincs ilyen korrekció"}},
     {{"value or delta, not both", "value или delta, не оба сразу", "value nebo delta, ne obojí", "value vagy delta, nem mindkettő"}},
     {{"{0} is {1} by now, not {2}", "{0}: сейчас там {1}, а не {2}", "{0}: teď je tam {1}, ne {2}", "{0}: most {1} áll ott, nem {2}"}},
+    {{"channel {0}: its notes", "канал {0}: его записи о кадрах", "kanál {0}: jeho záznamy o blocích", "{0}. csatorna: a mondatokról szóló bejegyzései"}},
     // what a store has lost
     {{"{0} of {1} changes are missing at the end of {2}", "в конце {2} не хватает изменений: {0} из {1}", "na konci {2} chybí změn: {0} z {1}", "{2} végéről {1} módosításból {0} hiányzik"}},
     {{"{0} ends with another change than the one that was acknowledged", "{0} кончается не тем изменением, которое было подтверждено", "{0} končí jinou změnou než tou, která byla potvrzena", "{0} nem azzal a módosítással végződik, amelyet nyugtáztak"}},

@@ -173,6 +173,7 @@ template <class Layout>
 Result<PeerSegment<Layout>> Controller::attach(std::size_t slot, std::size_t number) {
     const auto until = std::chrono::steady_clock::now() + kAttachPatience;
     for (;;) {
+        beat();   // a kernel that is there already watches whether this process lives
         auto peer = PeerSegment<Layout>::attach(plan_.instance, number, std::chrono::milliseconds(5));
         if (peer) {
             // A segment that a dead predecessor left is not this one's.

@@ -67,6 +67,7 @@ public:
     void watch(const std::function<void(std::size_t slot, int status)>& on_death);
     void act(const ProcessAction& action, const std::function<void(std::size_t slot, int status)>& on_death);
     bool running(std::size_t slot) const;
+    bool awaits(unsigned channel) const { return awaited_.contains(kProcessChannel + channel - 1); }   // its successor has not shown itself
     Result<void> restart(std::size_t slot);  // a successor, after watch() has reported the death; waits until it is there
     Result<void> begin_restart(std::size_t slot);  // the same without waiting: look_for_successors() finds it
     void look_for_successors(const std::function<void(const Diagnosis&)>& on_fault);

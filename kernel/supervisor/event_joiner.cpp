@@ -1,5 +1,7 @@
 #include "kernel/supervisor/event_joiner.hpp"
 
+#include <charconv>
+#include <iterator>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -24,20 +26,61 @@ double rounded(double t_s) {
     const double micro = t_s * 1e6;
     return static_cast<double>(static_cast<long long>(micro < 0 ? micro - 0.5 : micro + 0.5)) / 1e6;
 }
+
+// One JSON object on one line, so far as whoever reads the log line by line needs it: what a channel sends must not look like an
+// event of somebody else.
+bool one_object(std::string_view text) {
+    constexpr int kDeepest = 32;
+    if (text.size() < 2 || text.front() != '{') return false;
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (static_cast<unsigned char>(c) < 0x20) return false;
+        if (quoted && c == '\\') {
+            if (++i == text.size() || static_cast<unsigned char>(text[i]) < 0x20) return false;
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && (c == '{' || c == '[')) {
+            if (++depth > kDeepest) return false;
+        } else if (!quoted && (c == '}' || c == ']')) {
+            if (--depth == 0) return i + 1 == text.size() && c == '}';
+        }
+    }
+    return false;
+}
+
+bool speaks_for_another(std::string_view text, unsigned channel) {
+    constexpr std::string_view kChannel = "\"ch\":";
+    const auto at = text.find(kChannel);
+    if (at == std::string_view::npos) return false;
+    unsigned said = 0;
+    const auto read = std::from_chars(text.data() + at + kChannel.size(), text.data() + text.size(), said);
+    return read.ec != std::errc{} || said != channel;
+}
 }  // namespace
 
-void EventJoiner::note(unsigned channel, std::uint64_t number, std::string_view text) {
+bool EventJoiner::note(unsigned channel, std::uint64_t number, std::string_view text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+    if (!one_object(text) || speaks_for_another(text, channel)) return false;
     Channel& own = channels_[channel];
     if (!own.skip || own.skip_number != number) {
-        own.waiting[number] = std::string(text);
-        return;
+        std::string& place = own.waiting[number];
+        own.bytes += text.size() - place.size();
+        place = std::string(text);
+        while (own.waiting.size() > kMostWaiting || own.bytes > kMostBytes) drop_waiting(own, std::next(own.waiting.begin()));
+        return true;
     }
     if (const auto entry = entries_.find(*own.skip); entry != entries_.end()) {
         entry->second.text = std::string(text);
         append_key(entry->second.text, "t", own.skip->t_s);
     }
     settle_skip(own);
+    return true;
+}
+
+void EventJoiner::drop_waiting(Channel& own, std::map<std::uint64_t, std::string>::iterator end) {
+    for (auto at = own.waiting.begin(); at != end; at = own.waiting.erase(at)) own.bytes -= at->second.size();
 }
 
 // Nothing more is said about it: it may be given out as soon as it has ended.
@@ -58,7 +101,10 @@ std::string_view EventJoiner::insert(unsigned channel, double t_s, std::string t
 void EventJoiner::hold(unsigned channel, std::uint64_t number) {
     Channel& own = channels_[channel];
     const auto found = own.waiting.find(number);
-    if (found != own.waiting.end()) own.held.insert(own.waiting.extract(found));
+    if (found == own.waiting.end()) return;
+    own.bytes -= found->second.size();
+    own.held.insert(own.waiting.extract(found));
+    if (own.held.size() > kMostWaiting) own.held.erase(own.held.begin());
 }
 
 std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, double t_s) {
@@ -70,8 +116,8 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     } else {
         const auto found = own.waiting.find(number);
         if (found == own.waiting.end()) return {};
-        text = std::move(found->second);
-        own.waiting.erase(own.waiting.begin(), std::next(found));  // older ones were discarded with their records
+        text = found->second;
+        drop_waiting(own, std::next(found));  // older ones were discarded with their records
         settle_skip(own);
         own.last = text;
     }
@@ -83,6 +129,8 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     entry.complete = !entry.shows_end && !(measure_all_ && (kind == "wait" || kind == "aux"));
     Key key{};
     const std::string_view out = insert(channel, t_s, std::move(text), std::move(entry), &key);
+    // The same number twice: the first one has ended, or it would hold back for ever what comes behind it.
+    if (own.open.contains(number)) end(channel, number, t_s);
     own.open.emplace(number, key);
     if (skip) own.skip = key, own.skip_number = number;
     return out;

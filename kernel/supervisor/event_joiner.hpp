@@ -17,6 +17,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "ipc/capacities.hpp"
+
 namespace polyturn::supervisor {
 
 class EventJoiner {
@@ -33,7 +35,11 @@ public:
     void measure_all(bool on) { measure_all_ = on; }
     // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel; only a skip move is
     // described again when it has ended, with the point where that was, and is held back until then.
-    void note(unsigned channel, std::uint64_t number, std::string_view text);
+    // False: it is no object on one line, or speaks for another channel; nothing was taken, and whoever sends such a thing is not to be believed any more.
+    [[nodiscard]] bool note(unsigned channel, std::uint64_t number, std::string_view text);
+    // Notes of a channel that wait for their blocks: far more than its ring of records can hold. Of more the oldest go.
+    static constexpr std::size_t kMostWaiting = 8 * kPathRing;
+    static constexpr std::size_t kMostBytes = 16 * kNoteRing;   // of them
     // It begins later than what stands behind it, a step of a program that an axis runs beside the path, or earlier than what
     // stands before it, a macro statement of an interrupt program that acts while the block is still driven.
     void hold(unsigned channel, std::uint64_t number);
@@ -44,12 +50,17 @@ public:
     // before the log tells of this end, and what was discarded with its records is dropped when a later one begins.
     void close_channel(unsigned channel, double t_s);
     // A successor of the channel's process counts its notes from the beginning.
-    void forget_notes(unsigned channel) { channels_[channel].waiting.clear(); }
+    void forget_notes(unsigned channel) {
+        Channel& own = channels_[channel];
+        drop_waiting(own, own.waiting.end());
+    }
     // An event that comes without a note (alarm, flag, stop); a JSON object without t.
     std::string_view plain(unsigned channel, double t_s, std::string text);
 
     // Gives out what is final, knowing that nothing before `until_s` can come any more.
     void drain(double until_s, const Sink& sink);
+    // Whoever wants none of them: nothing is kept until it is final.
+    void discard() { entries_.clear(); }
     // The end of the run: everything, what did not end without its `end`.
     void finish(const Sink& sink);
 
@@ -80,12 +91,14 @@ private:
     struct Channel {
         std::map<std::uint64_t, std::string> waiting;  // notes whose block has not begun
         std::map<std::uint64_t, std::string> held;     // steps that begin beside the path
+        std::size_t bytes = 0;                         // of `waiting`
         std::unordered_map<std::uint64_t, Key> open;   // begun, not ended
         std::string last;
         std::optional<Key> skip;                       // a skip move that is not described again yet
         std::uint64_t skip_number = 0;
     };
     void settle_skip(Channel& own);
+    static void drop_waiting(Channel& own, std::map<std::uint64_t, std::string>::iterator end);   // those before it
     std::string_view insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out);
 
     std::map<Key, Entry> entries_;

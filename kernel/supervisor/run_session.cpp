@@ -9,6 +9,7 @@
 
 #include "ipc/diagnosis/tongue.hpp"
 #include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/take_notes.hpp"
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/json_fields.hpp"
 
@@ -119,17 +120,12 @@ bool RunSession::drain() {
 }
 
 void RunSession::drain_notes() {
-    for (unsigned number = 1; number <= kMaxChannels; ++number) {
-        const ChannelSegment* channel = controller_->channel(number);
-        if (!channel) continue;
-        NoteReader reader(channel->notes, controller_->own().note_tail[number - 1]);
-        std::uint64_t note = 0;
-        std::string_view text;
-        while (reader.front(note, text)) {
-            joiner_.note(number, note, text);
-            reader.pop();
-        }
-    }
+    take_notes(*controller_, joiner_, [this](unsigned channel) {   // its process sends what cannot be, and ends
+        report(Diagnosis{Alarm::ChannelHostile, {}, {}, fmt::format("channel {}: its notes", channel)}, channel, std::max(0.0, static_cast<double>(log_tick_ - origin_) * tick_s_));
+        ProcessAction end;
+        end.slot = kProcessChannel + channel - 1;
+        controller_->act(end, [this](std::size_t slot, int status) { process_died(slot, status); });
+    });
 }
 
 bool RunSession::drain_log() {

@@ -15,6 +15,7 @@
 #include "ipc/machine/machine_step.hpp"
 #include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/take_notes.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 
 #include "kernel/supervisor/phrases.hpp"
@@ -174,16 +175,7 @@ void StartSession::printed(std::function<void()> print) {
 
 void StartSession::drain() {
     bool moved = false;
-    const auto notes = [&] {
-        for (unsigned number = 1; number <= kMaxChannels; ++number) {
-            const ChannelSegment* channel = controller_->channel(number);
-            if (!channel) continue;
-            NoteReader reader(channel->notes, controller_->own().note_tail[number - 1]);
-            std::uint64_t note = 0;
-            std::string_view words;
-            while (reader.front(note, words)) joiner_.note(number, note, words), reader.pop(), moved = true;
-        }
-    };
+    const auto notes = [&] { moved = take_notes(*controller_, joiner_, [this](unsigned channel) { put_out(channel); }) || moved; };
     notes();
     const auto until = Clock::now() + kEventsAtOnce;
     more_events_ = false;
@@ -197,7 +189,19 @@ void StartSession::drain() {
         controller_->own().log_seen.store(copy.seq, std::memory_order_release);
     }
     if (moved) controller_->own().bell.ring();
-    joiner_.drain(1e300, [](const EventJoiner::Event&) {});
+    joiner_.discard();
+}
+
+// Its process sends what cannot be: it is ended, and its axes come to rest on their path. Its successor has as many tries as any other.
+void StartSession::put_out(unsigned channel) {
+    const Diagnosis diagnosis{Alarm::ChannelHostile, {}, {}, fmt::format("channel {}: its notes", channel)};
+    printed([diagnosis] { print_diagnosis(diagnosis, Dialect::Polyturn); });
+    std::string words = alarm_event(diagnosis, Dialect::Polyturn, channel);
+    words.pop_back();
+    note_alarm(std::move(words), Dialect::Polyturn, false);
+    ProcessAction end;
+    end.slot = kProcessChannel + channel - 1;
+    controller_->act(end, [this](std::size_t slot, int status) { process_died(slot, status); });
 }
 
 void StartSession::take(const KernelEvent& event) {

@@ -44,6 +44,7 @@ private:
     std::string program_of(const KernelEvent& event) const;
     void note_alarm(std::string event_text, Dialect dialect, bool tell);
     void process_died(std::size_t slot, int status);
+    void put_out(unsigned channel);   // that sends what cannot be
     void revive();
     void end();
     void printed(std::function<void()> print);

@@ -19,8 +19,8 @@ struct Out {
 TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 1, R"({"ev":"move","ch":1})");
-    joiner.note(2, 1, R"({"ev":"aux","ch":2,"code":"M8"})");
+    (void)joiner.note(1, 1, R"({"ev":"move","ch":1})");
+    (void)joiner.note(2, 1, R"({"ev":"aux","ch":2,"code":"M8"})");
     EXPECT_EQ(joiner.begin(1, 1, 0.0), R"({"ev":"move","ch":1,"t":0})");
     joiner.begin(2, 1, 1.0);
     joiner.drain(3.0, out.sink);
@@ -33,7 +33,7 @@ TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
 // The kernel's own alarms know the line of a block: in which file it stands, a subprogram's perhaps, the block that began last says.
 TEST(EventJoiner, ALineIsOfTheFileInWhichItsBlockBegan) {
     EventJoiner joiner;
-    joiner.note(1, 1, R"({"ev":"move","file":"/p/O\"9.nc","line":63,"ch":1})");
+    (void)joiner.note(1, 1, R"({"ev":"move","file":"/p/O\"9.nc","line":63,"ch":1})");
     EXPECT_EQ(joiner.file_of(1, 63), "");
     joiner.begin(1, 1, 0.0);
     EXPECT_EQ(joiner.file_of(1, 63), "/p/O\"9.nc");
@@ -44,12 +44,12 @@ TEST(EventJoiner, ALineIsOfTheFileInWhichItsBlockBegan) {
 TEST(EventJoiner, ASkipMoveIsToldWithThePointAtWhichItEnded) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":20})");
+    (void)joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":20})");
     joiner.begin(1, 1, 0.5);
     joiner.end(1, 1, 1.5);
     joiner.drain(9.0, out.sink);
     EXPECT_TRUE(out.lines.empty());
-    joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":30})");
+    (void)joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":30})");
     joiner.drain(9.0, out.sink);
     EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","kind":"skip","pos":30,"t":0.5,"end":1.5})"}));
 }
@@ -57,8 +57,8 @@ TEST(EventJoiner, ASkipMoveIsToldWithThePointAtWhichItEnded) {
 TEST(EventJoiner, ASkipMoveThatNobodyDescribesAgainIsNotLost) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 1, R"({"ev":"move","kind":"skip"})");
-    joiner.note(1, 2, R"({"ev":"move","kind":"rapid"})");
+    (void)joiner.note(1, 1, R"({"ev":"move","kind":"skip"})");
+    (void)joiner.note(1, 2, R"({"ev":"move","kind":"rapid"})");
     joiner.begin(1, 1, 0.5);
     joiner.end(1, 1, 1.5);
     joiner.begin(1, 2, 2.0);
@@ -84,10 +84,10 @@ TEST(EventJoiner, WhatMayStillComeEarlierHoldsBack) {
 TEST(EventJoiner, NotesOfTheNextStartOutlastAResetThatIsToldAfterThem) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 1, R"({"ev":"move"})");
-    joiner.note(1, 2, R"({"ev":"move","n":2})");
+    (void)joiner.note(1, 1, R"({"ev":"move"})");
+    (void)joiner.note(1, 2, R"({"ev":"move","n":2})");
     joiner.begin(1, 1, 0.5);
-    joiner.note(1, 3, R"({"ev":"aux","n":3})");
+    (void)joiner.note(1, 3, R"({"ev":"aux","n":3})");
     joiner.close_channel(1, 0.75);
     joiner.begin(1, 3, 2.0);
     joiner.finish(out.sink);
@@ -97,8 +97,8 @@ TEST(EventJoiner, NotesOfTheNextStartOutlastAResetThatIsToldAfterThem) {
 TEST(EventJoiner, AResetEndsWhatWasUnderWay) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 1, R"({"ev":"move"})");
-    joiner.note(1, 2, R"({"ev":"move","n":2})");
+    (void)joiner.note(1, 1, R"({"ev":"move"})");
+    (void)joiner.note(1, 2, R"({"ev":"move","n":2})");
     joiner.begin(1, 1, 0.5);
     joiner.close_channel(1, 0.75);
     joiner.finish(out.sink);
@@ -108,7 +108,7 @@ TEST(EventJoiner, AResetEndsWhatWasUnderWay) {
 TEST(EventJoiner, WhatNeverEndedIsGivenOutWithoutAnEnd) {
     EventJoiner joiner;
     Out out;
-    joiner.note(1, 7, R"({"ev":"dwell","seconds":9})");
+    (void)joiner.note(1, 7, R"({"ev":"dwell","seconds":9})");
     joiner.begin(1, 7, 2.0);
     joiner.finish(out.sink);
     EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"dwell","seconds":9,"t":2})"}));
@@ -117,7 +117,7 @@ TEST(EventJoiner, WhatNeverEndedIsGivenOutWithoutAnEnd) {
 TEST(EventJoiner, NotesThatWereSkippedAreDropped) {
     EventJoiner joiner;
     Out out;
-    for (int i = 1; i <= 3; ++i) joiner.note(1, static_cast<std::uint64_t>(i), R"({"ev":"aux"})");
+    for (int i = 1; i <= 3; ++i) (void)joiner.note(1, static_cast<std::uint64_t>(i), R"({"ev":"aux"})");
     joiner.begin(1, 3, 1.0);
     EXPECT_TRUE(joiner.begin(1, 1, 1.0).empty());
     joiner.finish(out.sink);
@@ -147,7 +147,7 @@ RC_GTEST_PROP(EventJoiner, EveryEventOnceInOrderWhateverTheDrains, ()) {
         order.emplace_back(event.t_s, event.channel);
         RC_ASSERT(event.text.find("\"end\":") != std::string::npos);
     };
-    for (const Block& block : blocks) joiner.note(block.channel, block.number, R"({"ev":"move"})");
+    for (const Block& block : blocks) (void)joiner.note(block.channel, block.number, R"({"ev":"move"})");
     for (int tick = 0; tick <= 200; ++tick) {
         for (const Block& block : blocks) {  // in the log a block's end stands before the next one's begin
             if (block.end == tick && block.begin != tick) joiner.end(block.channel, block.number, tick);
