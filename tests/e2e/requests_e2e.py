@@ -181,6 +181,36 @@ class Requests(LiveCase):
         value = self.polyturn("params", "get", "N1600 L1", "--instance", self.name).out.split()[-1]
         self.assertNotIn(value, ("3.5", "4.5", "5.5"), "what was refused was done")
 
+    def test_an_operation_that_kills_its_reader_is_not_read_again(self):
+        """The reader is killed while it works on it (a password's hash takes some time). The controller says that the store has died,
+        its successor serves others, and of what was refused nothing is done."""
+        for number, delay in enumerate((0.0, 0.004, 0.015)):
+            store = self.pids()["toolmgmt"]
+            os.kill(store, signal.SIGSTOP)
+            one = self.client()
+            one.send({"do": "store", "op": {"do": "parts.add", "dimension": 500 + number, "fields": {"nominal": 1, "upper": 1, "lower": 0}}})
+            two = self.client()
+            two.send({"do": "store", "op": {"do": "users.login", "name": "nobody", "password": "wrong"}})
+            time.sleep(0.2)
+            os.kill(store, signal.SIGCONT)
+            time.sleep(delay)
+            os.kill(store, signal.SIGKILL)
+            first, second = one.line(), two.line()
+            self.assertIsNotNone(first), self.assertIsNotNone(second)
+            self.assertFalse(second["ok"], second)
+            self.wait_for(lambda: self.pids().get("toolmgmt") not in (None, 0, store), 10, "the store's successor")
+            self.wait_for(lambda: self.client().ask({"do": "store", "op": {"do": "tools.list"}})["ok"], 10, "the successor to answer")
+            parts = self.client().ask({"do": "store", "op": {"do": "parts.list"}})
+            there = any(d["dimension"] == 500 + number for d in parts["dimensions"])
+            # A refusal may come too late for what is on the disk already, but nothing is done afterwards: it is told or it is not there.
+            if first["ok"]:
+                self.assertTrue(there, "told as done and not there")
+            time.sleep(0.5)
+            again = self.client().ask({"do": "store", "op": {"do": "parts.list"}})
+            self.assertEqual(parts["dimensions"], again["dimensions"], "a refused one was done later")
+        alarms = self.polyturn("alarms", "--json", "--instance", self.name).out
+        self.assertIn("toolmgmt", alarms, "the death is told")
+
     def test_a_frozen_store_is_said_in_time(self):
         store = self.pids()["toolmgmt"]
         os.kill(store, signal.SIGSTOP)

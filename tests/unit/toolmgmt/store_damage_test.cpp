@@ -346,4 +346,44 @@ TEST(StoreRequests, ThatAreNoneAreRefusedAndTheStoreLives) {
     EXPECT_EQ(rig.pid, pid);
 }
 
+// The store dies in the middle of an operation, by whatever: its successor finds it begun, does not read it again, says so to whoever
+// waits, and serves the next one. A hash of a password takes long enough to be met at work.
+TEST(StoreRequests, OneThatKilledItsReaderIsNotReadAgain) {
+    StoreRig rig("killer");
+    const std::vector<std::string> arguments{"--store", rig.folder + "/store", "--machine", kMachine};
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+    int refused = 0;
+    for (int round = 0; round < 6; ++round) {
+        const std::string name = "user" + std::to_string(round);
+        StoreRequest request = store_request(StoreRequestKind::Operation, 0, 0, 0, 0);
+        request.level = static_cast<std::uint32_t>(UserLevel::Maker);
+        put_name(request, Json{{"do", "users.add"}, {"name", name}, {"level", "maker"}, {"password", "secret1"}}.dump());
+        const auto& answers = (*rig.store)->answers;
+        const auto head = answers.head.load();
+        const auto id = rig.send(request);
+        const volatile auto& begun = answers.slot(head).id;   // where it says what it works on
+        while (begun != id && answers.head.load() == head) {}
+        usleep(static_cast<useconds_t>(round) * 4000);
+        rig.kill_now();
+        const bool told_before = answers.head.load() != head;
+        ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+        std::string answer;
+        for (int i = 0; i < 100'000 && answer.empty() && !rig.ended(); ++i, usleep(100))
+            while (const auto piece = rig.take_answer())
+                if (piece->id == id) answer += piece->text.data();
+        const Json told = Json::parse(answer, nullptr, false);
+        ASSERT_TRUE(told.is_object()) << round << " " << answer << rig.messages();
+        // Nothing of it or all of it; and what was not done is said.
+        const Json users = operate(rig, {{"do", "users.list"}});
+        ASSERT_TRUE(users.value("ok", false)) << "it goes on: " << rig.messages();
+        const bool there = users.dump().find('"' + name + '"') != std::string::npos;
+        EXPECT_EQ(there, told.value("ok", false)) << told.dump() << users.dump();
+        if (told_before || there) continue;
+        ++refused;
+        EXPECT_EQ(told.value("number", ""), "PT0335") << told.dump();
+        EXPECT_NE(told.value("text", "").find("not read again"), std::string::npos) << told.dump();
+    }
+    EXPECT_GE(refused, 1) << "it was never met at work";
+}
+
 }  // namespace
