@@ -111,6 +111,10 @@ QStringList startNeeds(const Live& live, unsigned channel) {
     return out;
 }
 
+bool storeHasLost(const Live& live) {
+    return live.connected() && std::any_of(live.channels().begin(), live.channels().end(), [&](unsigned channel) { return (live.channel(channel).start_missing & start_bit("store_whole")) != 0; });
+}
+
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     if (const AlarmEntry* alarm = alarms.standing(channel)) return {Plight::Kind::Alarm, alarm->number + "  " + alarm->text};
     const ChannelStatus& status = live.channel(channel);

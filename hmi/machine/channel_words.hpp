@@ -20,6 +20,7 @@ struct Plight {
 };
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
 QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 for L2, 12 s»; empty: it waits for nobody
+bool storeHasLost(const Live& live);   // no start until a backup is restored, or a maker confirms
 QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
 bool lacksProgram(const Live& live, unsigned channel);      // a start would begin something, and nothing is selected or entered: the kernel says so
 bool works(const ChannelStatus& status);                    // a program runs, or is to go on

@@ -7,6 +7,8 @@
 namespace polyturn::hmi {
 namespace {
 
+constexpr int kSystemScreen = 9;   // its place in screen_list.cpp
+
 Sign signOf(Severity severity) { return severity == Severity::Error ? Sign::Alarm : severity == Severity::Warning ? Sign::Warning : Sign::Note; }
 QColor colourOf(Severity severity) {
     const Theme& t = theme();
@@ -126,6 +128,7 @@ std::vector<SoftKey> Alarms::keys() {
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
     std::vector<SoftKey> keys{page(Page::Standing, word("Active alarms")), page(Page::History, word("History")), resetKey(desk_), page(Page::Stops, word("Log of stops"))};
     if (page_ == Page::Stops) stops_->addKeys(keys);
+    else if (storeHasLost(desk_.live)) keys.push_back({word("To the backups"), [this] { desk_.show(kSystemScreen); }, Sign::Right});
     keys.resize(std::max(keys.size(), kResetAllPlace + 1));
     keys[kResetAllPlace] = resetGroupKey(desk_, groupOf(desk_.live, desk_.channel));
     return keys;

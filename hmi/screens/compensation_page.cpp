@@ -109,14 +109,17 @@ CompensationPage::CompensationPage(Desk& desk, QWidget* parent)
         if (!place || !desk_.live.connected()) return std::nullopt;
         if (place->kind != Place::Kind::Parameter) return NumberPad::Field{nameOf(*place), unitOf(shown_->corrected), present(*place), desk_.live.unit(desk_.live.config().axis(shown_->corrected)).digits(4)};
         const params::Row& row = *place->parameter.row;
-        return NumberPad::Field{nameOf(*place), unitWord(params::unit_of(row, desk_.live.table(), place->parameter.instance)), present(*place), row.type == params::Type::Real ? 4u : 0u, row.type == params::Type::Bits};
+        return NumberPad::Field{nameOf(*place), unitWord(params::unit_of(row, desk_.live.table(), place->parameter.instance)), present(*place), row.type == params::Type::Real ? 4u : 0u, row.type == params::Type::Bits, 1, row.type != params::Type::Bits};
     };
     pad_->onInput = [this](double now) {
         if (const auto place = target()) put(*place, now);
     };
+    pad_->onAdded = [this](double delta) {
+        if (const auto place = target()) add(*place, delta);
+    };
     undo_.present = [this](const Place& place) { return present(place); };
     undo_.same = same;
-    undo_.putBack = [this](const Undo::Change& change) { put(change.where, change.old, true); };
+    undo_.putBack = [this](const Undo::Change& change) { takeBack(change); };
     undo_.keep = [this](const Undo::Change& change, double there) { desk_.tell(word("%1 is %2 by now: it stays").arg(nameOf(change.where), textOf(change.where, there)), Told::Refused); };
 }
 
@@ -282,33 +285,47 @@ QString CompensationPage::textOf(const Place& place, double value) const {
 }
 
 // A cell is kept by the store in the machine's file, a parameter like any other.
-void CompensationPage::put(const Place& place, double now, bool undone) {
+void CompensationPage::put(const Place& place, double now) {
+    if (place.kind != Place::Kind::Parameter) return askStore(place, now, Undo::Change{place, present(place), now}, false);
     undo_.asked(), ++asked_, reading_.forget();
-    const auto answered = [this, change = Undo::Change{place, present(place), now}, undone](const Answer& answer) {
-        --asked_;
-        if (!answer.ok) return undo_.refused();
-        taken(change.where, change.now);
-        undone ? undo_.takenBack(change) : undo_.entered(change);
-        const QString warning = answer.object.value("warning").toString();
-        if (!warning.isEmpty()) desk_.tell(word("Kept, but: %1").arg(retold(answer.object.value("warning_number").toString(), warning).text), Told::Refused);
-        else desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(nameOf(change.where), textOf(change.where, change.old), textOf(change.where, change.now)), Told::Good);
-        refresh();
-    };
-    const auto rows = [](std::initializer_list<double> one) {   // of one entry
-        QJsonArray row, out;
-        for (const double number : one) row.append(number);
-        out.append(row);
-        return out;
-    };
-    switch (place.kind) {
-        case Place::Kind::Parameter: {
-            const bool whole = place.parameter.row->type != params::Type::Real && !bits(place);
-            return desk_.requests.parameter(nameOf(place) + "=" + (whole ? QString::number(std::llround(now)) : bits(place) && now >= 0 && now <= 255 ? bitDigits(static_cast<unsigned>(now)) : QString::number(now, 'g', 15)), answered);
-        }
-        case Place::Kind::Cell: return desk_.requests.store({{"do", "compensation.set"}, {"cells", rows({static_cast<double>(place.number), now})}}, answered);
-        case Place::Kind::Point:
-            return desk_.requests.store({{"do", "compensation.set"}, {"points", rows({static_cast<double>(place.channel), static_cast<double>(place.number), static_cast<double>(place.component), now})}}, answered);
+    const bool whole = place.parameter.row->type != params::Type::Real && !bits(place);
+    const QString text = whole ? QString::number(std::llround(now)) : bits(place) && now >= 0 && now <= 255 ? bitDigits(static_cast<unsigned>(now)) : QString::number(now, 'g', 15);
+    desk_.requests.parameter(nameOf(place) + "=" + text, [this, change = Undo::Change{place, present(place), now}](const Answer& answer) { answered(change, answer, false); });
+}
+
+// What is added, and what is taken back, the store works out: it knows what a program or another panel has entered since the file was read.
+void CompensationPage::add(const Place& place, double delta) { askStore(place, QJsonObject{{"delta", std::round(delta * 1e9) / 1e9}}, std::nullopt, false); }
+
+void CompensationPage::takeBack(const Undo::Change& change) {
+    askStore(change.where, QJsonObject{{"value", change.old}, {"expected", change.now}}, Undo::Change{change.where, change.now, change.old}, true);
+}
+
+void CompensationPage::askStore(const Place& place, const QJsonValue& entry, const std::optional<Undo::Change>& known, bool undone) {
+    undo_.asked(), ++asked_, reading_.forget();
+    QJsonObject request;
+    if (place.kind == Place::Kind::Parameter) {
+        request = entry.toObject();
+        request.insert("do", "parameters.set"), request.insert("target", nameOf(place));
+    } else {
+        const bool point = place.kind == Place::Kind::Point;
+        const QJsonArray where = point ? QJsonArray{static_cast<int>(place.channel), static_cast<double>(place.number), static_cast<double>(place.component), entry} : QJsonArray{static_cast<double>(place.number), entry};
+        request = {{"do", "compensation.set"}, {point ? "points" : "cells", QJsonArray{where}}};
     }
+    desk_.requests.store(request, [this, place, known, undone](const Answer& answer) {
+        const QJsonObject told = place.kind == Place::Kind::Parameter ? answer.object : answer.object.value("entries").toArray().at(0).toObject();
+        answered(known ? *known : Undo::Change{place, told.value("old").toDouble(), told.value("new").toDouble()}, answer, undone);
+    });
+}
+
+void CompensationPage::answered(const Undo::Change& change, const Answer& answer, bool undone) {
+    --asked_;
+    if (!answer.ok) return undo_.refused();
+    taken(change.where, change.now);
+    undone ? undo_.takenBack(change) : undo_.entered(change);
+    const QString warning = answer.object.value("warning").toString();
+    if (!warning.isEmpty()) desk_.tell(word("Kept, but: %1").arg(retold(answer.object.value("warning_number").toString(), warning).text), Told::Refused);
+    else desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(nameOf(change.where), textOf(change.where, change.old), textOf(change.where, change.now)), Told::Good);
+    refresh();
 }
 
 // What the store has kept is shown at once; the file is read again all the same.

@@ -81,7 +81,11 @@ private:
     bool bits(const Place& place) const;
     QString nameOf(const Place& place) const;
     QString textOf(const Place& place, double value) const;
-    void put(const Place& place, double now, bool undone = false);
+    void put(const Place& place, double now);
+    void add(const Place& place, double delta);
+    void takeBack(const Undo::Change& change);
+    void askStore(const Place& place, const QJsonValue& entry, const std::optional<Undo::Change>& known, bool undone);
+    void answered(const Undo::Change& change, const Answer& answer, bool undone);
     void taken(const Place& place, double now);
     void askImport();
     void turn(std::size_t axis, int step);

@@ -62,7 +62,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), find_(n
         Value value = change.where;
         if (!value.gone.empty()) return setEdge(value, true);
         value.present = presentOf(value);
-        put(value, change.old, true);
+        takeBack(value, change.old, change.now);
     };
     undo_.keep = [this](const Undo::Change& change, double there) {
         if (!change.where.gone.empty()) return desk_.tell(word("%1 has values again: they stay").arg(change.where.title), Told::Refused);
@@ -371,31 +371,52 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
     return true;
 }
 
-void Offsets::put(const Value& value, double now, bool undone) {
+void Offsets::put(const Value& value, double now) {
     const double old = value.present;
     undo_.asked();
-    const auto done = [this, value, old, now, undone](const Answer& answer) {
+    const auto done = [this, value, old, now](const Answer& answer) {
         if (!answer.ok) return undo_.refused();   // told already
-        undone ? undo_.takenBack({value, old, now}) : undo_.entered({value, old, now});
-        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(old), value.text(now)), Told::Good);
-        askHistory(), refresh();
+        undo_.entered({value, old, now});
+        tellEntered(value, old, now);
     };
     if (value.ofEdge()) return askStore(value, {{"do", "offsets.set"}, {"dp", value.dp}, {"value", std::round(now * 1e9) / 1e9}}, done);
     desk_.requests.set(value.words + "=" + QString::number(now, 'f', 9), done);
 }
 
-// An operation of the store on the chosen offset or edge; it reads table and field, an edge's also by the plane.
+void Offsets::tellEntered(const Value& value, double old, double now) {
+    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, value.text(old), value.text(now)), Told::Good);
+    askHistory(), refresh();
+}
+
 // The store adds: a measured part, another panel or the program may have written since this value was drawn.
 void Offsets::add(const Value& value, double delta) {
     undo_.asked();
-    const auto done = [this, value](const Answer& answer) { entered(value, answer); };
-    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
-    const double exact = std::round(delta * 1e9) / 1e9;
-    if (value.zero) return desk_.requests.store({{"do", "zeros.set"}, {"channel", static_cast<int>(value.channel)}, {"zero", words[2]}, {"field", words[3]}, {"delta", exact}}, done);
-    if (value.ofEdge()) return askStore(value, {{"do", "offsets.set"}, {"dp", value.dp}, {"delta", exact}}, done);
-    askStore(value, {{"do", "offsets.set"}, {"table", words[3]}, {"field", words[4]}, {"delta", exact}}, done);
+    enterInStore(value, {{"delta", std::round(delta * 1e9) / 1e9}}, [this, value](const Answer& answer) { entered(value, answer); });
 }
 
+// Likewise: it puts the old value back only where the entered one still stands.
+void Offsets::takeBack(const Value& value, double old, double there) {
+    undo_.asked();
+    enterInStore(value, {{"value", std::round(old * 1e9) / 1e9}, {"expected", there}}, [this, value, old, there](const Answer& answer) {
+        if (!answer.ok) return undo_.refused();
+        undo_.takenBack({value, there, old});
+        tellEntered(value, there, old);
+    });
+}
+
+void Offsets::enterInStore(const Value& value, QJsonObject entry, const std::function<void(const Answer&)>& done) {
+    const QStringList words = value.words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
+    entry.insert("do", value.zero ? "zeros.set" : "offsets.set");
+    if (value.zero) {
+        entry.insert("channel", static_cast<int>(value.channel)), entry.insert("zero", words[2]), entry.insert("field", words[3]);
+        return desk_.requests.store(entry, done);
+    }
+    if (value.ofEdge()) entry.insert("dp", value.dp);
+    else entry.insert("table", words[3]), entry.insert("field", words[4]);
+    askStore(value, entry, done);
+}
+
+// An operation of the store on the chosen offset or edge; it reads table and field, an edge's also by the plane.
 void Offsets::askStore(const Value& value, QJsonObject request, const std::function<void(const Answer&)>& done) {
     const unsigned channel = value.words.section(' ', 1, 1).mid(1).toUInt();
     request.insert("channel", static_cast<int>(channel));

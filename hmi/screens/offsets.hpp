@@ -69,8 +69,11 @@ private:
     void composeSide(Writer& w);
     std::optional<Value> valueAt(int row, int column) const;
     std::optional<Value> chosen() const { return valueAt(table_->row(), table_->column()); }
-    void put(const Value& value, double now, bool undo = false);
+    void put(const Value& value, double now);
     void add(const Value& value, double delta);   // to what the store has by then
+    void takeBack(const Value& value, double old, double there);   // there: what has been entered
+    void enterInStore(const Value& value, QJsonObject entry, const std::function<void(const Answer&)>& done);
+    void tellEntered(const Value& value, double old, double now);
     double presentOf(const Value& value) const;
     void measure();
     void zeroHere();

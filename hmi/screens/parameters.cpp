@@ -78,7 +78,7 @@ Parameters::Parameters(Desk& desk)
     compensation_->hide();
     undo_.present = [this](const Line& line) { return contentOf(line); };
     undo_.same = [](const Content& a, const Content& b) { return a.words ? a.text.trimmed() == b.text.trimmed() : std::abs(a.number - b.number) <= 1e-9 * std::max({1.0, std::abs(a.number), std::abs(b.number)}); };
-    undo_.putBack = [this](const Undo::Change& change) { put(change.where, change.old, true); };
+    undo_.putBack = [this](const Undo::Change& change) { takeBack(change); };
     undo_.keep = [this](const Undo::Change& change, const Content& there) { desk_.tell(word("%1 is %2 by now: it stays").arg(target(change.where), there.text), Told::Refused); };
     setFocusPolicy(Qt::StrongFocus);
     names_ = {QString()}, titles_ = {word("All groups")};
@@ -149,10 +149,13 @@ Parameters::Parameters(Desk& desk)
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
         if (!line || line->row->type == params::Type::Text || !desk_.live.connected()) return std::nullopt;
-        return NumberPad::Field{target(*line), unitWord(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u, line->row->type == params::Type::Bits};
+        return NumberPad::Field{target(*line), unitWord(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u, line->row->type == params::Type::Bits, 1, line->row->type != params::Type::Bits};
     };
     pad_->onInput = [this](double now) {
         if (const Line* line = chosen()) put(*line, now);
+    };
+    pad_->onAdded = [this](double delta) {
+        if (const Line* line = chosen()) askStore(*line, {{"delta", delta}}, {});
     };
     search();
 }
@@ -319,21 +322,29 @@ Parameters::Bits Parameters::bitsLook() const {
     return !line || line->row->type != params::Type::Bits ? Bits::None : pad_->text().isEmpty() ? Bits::Alone : Bits::Typed;
 }
 
-QString Parameters::target(const Line& line) const {
+params::Target Parameters::targetOf(const Line& line) {
     params::Target target{line.row};
     if (line.row->scope != params::Scope::Global) target.instance = line.instance;
     if (line.row->array > 1) target.element = static_cast<int>(line.element);
-    return QString::fromStdString(params::target_text(target));
+    return target;
 }
 
-void Parameters::put(const Line& line, double now) {
-    const bool digits = line.row->type == params::Type::Bits && now >= 0 && now <= 255;   // else the control says what is allowed
-    put(line, Content{now, digits ? bitDigits(static_cast<unsigned>(now)) : line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now))});
+QString Parameters::target(const Line& line) const { return QString::fromStdString(params::target_text(targetOf(line))); }
+
+QString Parameters::textOf(const Line& line, double number) {
+    const bool digits = line.row->type == params::Type::Bits && number >= 0 && number <= 255;   // else the control says what is allowed
+    return digits ? bitDigits(static_cast<unsigned>(number)) : line.row->type == params::Type::Real ? QString::number(number, 'g', 15) : QString::number(std::llround(number));
 }
 
+void Parameters::put(const Line& line, double now) { put(line, Content{now, textOf(line, now)}); }
+
+// Only this bit is written: another panel may have turned its neighbour.
 void Parameters::turnBit(const Line& line, unsigned bit) {
     touched_ = {};
-    put(line, static_cast<double>(static_cast<unsigned>(value(line)) ^ 1u << bit));
+    const auto turned = static_cast<unsigned>(value(line)) ^ 1u << bit;
+    params::Target one = targetOf(line);
+    one.bit = static_cast<int>(bit);
+    put(line, Content{static_cast<double>(turned), bitDigits(turned)}, QString::fromStdString(params::target_text(one)) + (turned >> bit & 1u ? "=1" : "=0"));
 }
 
 void Parameters::nextBit(const params::Row& row, int step) {
@@ -347,14 +358,36 @@ void Parameters::nextBit(const params::Row& row, int step) {
 
 Parameters::Content Parameters::contentOf(const Line& line) const { return {value(line), textIn(desk_.live.table(), line), line.row->type == params::Type::Text}; }
 
-void Parameters::put(const Line& line, const Content& now, bool undone) {
+void Parameters::put(const Line& line, const Content& now, const QString& written) {
     undo_.asked();
-    desk_.requests.parameter(target(line) + "=" + now.text, [this, change = Undo::Change{line, contentOf(line), now}, undone](const Answer& answer) {
-        if (!answer.ok) return undo_.refused();
-        undone ? undo_.takenBack(change) : undo_.entered(change);
-        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(target(change.where), change.old.text, change.now.text), Told::Good);
-        refresh();
+    desk_.requests.parameter(written.isEmpty() ? target(line) + "=" + now.text : written, [this, change = Undo::Change{line, contentOf(line), now}](const Answer& answer) { done(change, answer, false); });
+}
+
+// The store adds, and takes back what still stands there: another panel or a program may have written since this was drawn.
+void Parameters::askStore(const Line& line, QJsonObject entry, std::optional<Undo::Change> taken) {
+    undo_.asked();
+    entry.insert("do", "parameters.set"), entry.insert("target", target(line));
+    desk_.requests.store(entry, [this, line, taken](const Answer& answer) {
+        const auto content = [&](const char* name) {
+            const double number = answer.object.value(name).toDouble();
+            return Content{number, textOf(line, number)};
+        };
+        done(taken ? *taken : Undo::Change{line, content("old"), content("new")}, answer, taken.has_value());
     });
+}
+
+void Parameters::takeBack(const Undo::Change& change) {
+    const Undo::Change back{change.where, change.now, change.old};
+    if (!change.now.words) return askStore(change.where, {{"value", change.old.number}, {"expected", change.now.number}}, back);
+    undo_.asked();
+    desk_.requests.parameter(target(change.where) + "=" + change.old.text, [this, back](const Answer& answer) { done(back, answer, true); });
+}
+
+void Parameters::done(const Undo::Change& change, const Answer& answer, bool undone) {
+    if (!answer.ok) return undo_.refused();
+    undone ? undo_.takenBack(change) : undo_.entered(change);
+    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(target(change.where), change.old.text, change.now.text), Told::Good);
+    refresh();
 }
 
 void Parameters::askText(const Line& line) {

@@ -3,6 +3,8 @@
 #pragma once
 #include <QElapsedTimer>
 #include <QJsonArray>
+#include <QJsonObject>
+#include <optional>
 
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
@@ -70,6 +72,8 @@ private:
     // The chosen parameter has bits: while nothing is typed they have the room of the keys.
     enum class Bits : std::uint8_t { None, Alone, Typed };
     Bits bitsLook() const;
+    static params::Target targetOf(const Line& line);
+    static QString textOf(const Line& line, double number);
     QString target(const Line& line) const;
     void put(const Line& line, double now);
     void turnBit(const Line& line, unsigned bit);
@@ -82,7 +86,10 @@ private:
     };
     using Undo = Changes<Line, Content>;
     Content contentOf(const Line& line) const;
-    void put(const Line& line, const Content& now, bool undone = false);
+    void put(const Line& line, const Content& now, const QString& written = {});   // written: another line than the whole value's
+    void askStore(const Line& line, QJsonObject entry, std::optional<Undo::Change> taken);
+    void takeBack(const Undo::Change& change);
+    void done(const Undo::Change& change, const Answer& answer, bool undone);
     void askText(const Line& line);
     FreeSheet *head_, *detail_;
     Table *groups_, *table_;

@@ -71,9 +71,11 @@ PartsPage::PartsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const QString title = QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column));
         if (column == kTool) return NumberPad::Field{title, {}, one->value("tool").toDouble(), 0u, false, 1, false};
         const LengthUnit unit = unitOf(*one);
-        return NumberPad::Field{title, unit.name(), one->value(kFields[column]).toDouble(), unit.digits(3), false, unit.size()};
+        // A new measurement has nothing to do with the one before.
+        return NumberPad::Field{title, unit.name(), one->value(kFields[column]).toDouble(), unit.digits(3), false, unit.size(), column != kMeasured};
     };
     pad_->onInput = [this](double value) { entered(value); };
+    pad_->onAdded = [this](double delta) { added(delta); };
     table_->choose(0, kMeasured);
 }
 
@@ -114,10 +116,12 @@ void PartsPage::refresh() {
 
 void PartsPage::ask(QJsonObject operation, const QString& good) {
     const LengthUnit unit = chosen() ? unitOf(*chosen()) : LengthUnit{};
-    desk_.requests.store(std::move(operation), [this, good, unit](const Answer& answer) {
+    const bool fresh = operation.value("do") == "parts.add";
+    desk_.requests.store(std::move(operation), [this, good, unit, fresh](const Answer& answer) {
         if (!answer.ok) return;
         QString text = good;
         if (answer.object.contains("what")) text = QString::fromUtf8("%1: %2 → %3").arg(cellTitle(answer.object.value("what").toString()), unit.text(answer.object.value("old").toDouble(), 3), unit.text(answer.object.value("new").toDouble(), 3));
+        if (fresh) wanted_ = answer.object.value("dimension").toInt();
         desk_.tell(text, Told::Good);
         look();
     });
@@ -138,6 +142,21 @@ void PartsPage::entered(double value) {
         case kLower: return set("lower", number);
         case kMeasured: return ask({{"do", "parts.measure"}, {"dimension", one->value("dimension")}, {"value", number}}, word("Measured: %1").arg(unitOf(*one).text(value, 3)));
         case kProposal: return ask({{"do", "parts.accept"}, {"dimension", one->value("dimension")}, {"value", number}}, word("Written"));
+        default: break;
+    }
+}
+
+// The store adds: it is asked for its list every two seconds only, and another panel or a measuring cycle may have been faster.
+void PartsPage::added(double delta) {
+    const QJsonObject* one = chosen();
+    if (!one) return;
+    const QJsonObject entry{{"delta", std::round(delta * 1e9) / 1e9}};
+    const auto add = [&](const char* field) { ask({{"do", "parts.set"}, {"dimension", one->value("dimension")}, {"fields", QJsonObject{{field, entry}}}}, word("Written")); };
+    switch (table_->column()) {
+        case kNominal: return add("nominal");
+        case kUpper: return add("upper");
+        case kLower: return add("lower");
+        case kProposal: return ask({{"do", "parts.accept"}, {"dimension", one->value("dimension")}, {"delta", entry.value("delta")}}, word("Written"));
         default: break;
     }
 }
@@ -209,14 +228,12 @@ void PartsPage::addKeys(std::vector<SoftKey>& keys) {
     const QJsonObject* one = chosen();
     const QJsonValue number = one ? one->value("dimension") : QJsonValue();
     keys.push_back({word("Input"), [this] { pad_->enter(false); }, Sign::None, there && one && pad_->entry().has_value()});
-    keys.push_back({word("Accept proposal"), [this, number] { ask({{"do", "parts.accept"}, {"dimension", number}}, word("Written")); }, Sign::Good, there && one && one->contains("proposal"), false, false,
+    keys.push_back({word("Accept proposal"), [this, number, seen = one ? one->value("proposal") : QJsonValue()] { ask({{"do", "parts.accept"}, {"dimension", number}, {"expected", seen}}, word("Written")); }, Sign::Good, there && one && one->contains("proposal"), false, false,
                     one ? word("Wear %1: press again").arg(signedWithUnit(unitOf(*one), one->value("proposal").toDouble())) : QString(), {}, QString::number(number.toInt()), QString::number(number.toInt())});
     keys.push_back({});
     keys.push_back({word("New dimension"), [this] {
-                        int next = 1;
-                        for (const QJsonObject& has : all_) next = std::max(next, has.value("dimension").toInt() + 1);
-                        wanted_ = next;
-                        ask({{"do", "parts.add"}, {"dimension", next}, {"fields", QJsonObject{{"nominal", "0"}, {"upper", "0.02"}, {"lower", "-0.02"}, {"channel", QString::number(desk_.channel)}, {"axis", "X"}}}}, word("New dimension"));
+                        // Which number is free, the store knows best.
+                        ask({{"do", "parts.add"}, {"fields", QJsonObject{{"nominal", "0"}, {"upper", "0.02"}, {"lower", "-0.02"}, {"channel", QString::number(desk_.channel)}, {"axis", "X"}}}}, word("New dimension"));
                     }, Sign::None, there});
     keys.push_back({word("Delete"), [this, number] { ask({{"do", "parts.delete"}, {"dimension", number}}, word("Deleted")); }, Sign::Bin, there && one, false, true, word("It is gone for good: press again"), {}, QString::number(number.toInt()), QString::number(number.toInt())});
 }

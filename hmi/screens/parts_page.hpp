@@ -32,6 +32,7 @@ private:
     QString columnTitle(int column) const;
     LengthUnit unitOf(const QJsonObject& dimension) const;
     void entered(double value);
+    void added(double delta);
     void changeText();
     void set(const QString& field, const QString& value);
     void ask(QJsonObject operation, const QString& good);

@@ -7,8 +7,10 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/upright.hpp"
+#include "ipc/diagnosis/details.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -18,10 +20,11 @@ enum FormHit { kNameHit = 1, kPasswordHit };
 
 }  // namespace
 
-System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new FreeSheet(this)), files_(new Table(this)), right_(new Table(this)), pad_(new TextPad(this)), settings_(new SettingsPage(desk, this)) {
+System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new FreeSheet(this)), notice_(new FreeSheet(this)), files_(new Table(this)), right_(new Table(this)), pad_(new TextPad(this)), settings_(new SettingsPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
     head_->onCompose = [this](Writer& w) { composeHead(w); };
     form_->onCompose = [this](Writer& w) { composeForm(w); };
+    notice_->onCompose = [this](Writer& w) { composeNotice(w); };
     form_->onTouched = [this](int number) { inPassword_ = number == kPasswordHit, form_->refresh(); };
     pad_->onText = [this](const QString& text) { type(text); };
     pad_->onBackspace = [this] { backspace(); };
@@ -40,7 +43,7 @@ void System::restore(const QString& state) {
 QString System::levelWord(const QString& level) const { return level == "maker" ? word("maker") : level == "setter" ? word("setter") : level == "operator" ? word("operator") : word("nobody"); }
 
 std::vector<Sheet*> System::sheets() {
-    if (page_ == Page::Backups) return {head_, files_, right_};
+    if (page_ == Page::Backups) return loss_.unfit ? std::vector<Sheet*>{head_, notice_, files_, right_} : std::vector<Sheet*>{head_, files_, right_};
     if (page_ == Page::Settings) {
         std::vector<Sheet*> out = settings_->sheets();
         out.push_back(head_);
@@ -53,6 +56,7 @@ void System::showPage(Page page) {
     page_ = page;
     lookAt_ = 0, note_.clear(), name_.clear(), password_.clear();
     right_->setVisible(page == Page::Backups), form_->setVisible(page == Page::Users), pad_->setVisible(page == Page::Users);
+    notice_->setVisible(page == Page::Backups && loss_.unfit);
     files_->setVisible(page != Page::Settings), settings_->setVisible(page == Page::Settings);
     if (page == Page::Settings) settings_->begin();
     else fill();
@@ -200,9 +204,11 @@ void System::backspace() {
 void System::resizeEvent(QResizeEvent*) { layOut(); }
 
 void System::layOut() {
-    const int top = px(46), edge = px(8), half = static_cast<int>(width() * 0.42), pad = px(330);
-    head_->setGeometry(0, 0, width(), top);
-    settings_->setGeometry(0, top, width(), height() - top);
+    const int head = px(46), edge = px(8), half = static_cast<int>(width() * 0.42), pad = px(330);
+    head_->setGeometry(0, 0, width(), head);
+    const int loss = page_ == Page::Backups && loss_.unfit ? px(200) : 0, top = head + loss;
+    notice_->setGeometry(edge, head, width() - 2 * edge, std::max(0, loss - edge));
+    settings_->setGeometry(0, head, width(), height() - head);
     const Parted all = parted(*this, QRect(edge, top, width() - 2 * edge, height() - top - edge), width() - half - 2 * edge, (height() - top) * 64 / 100, edge);
     files_->setGeometry(all.main), right_->setGeometry(all.side);
     form_->setGeometry(all.side.adjusted(0, 0, 0, -pad - edge));
@@ -223,6 +229,54 @@ void System::composeHead(Writer& w) {
     }
 }
 
+// Who has lost data comes here from the alarm: this is where they are brought back.
+void System::showEvent(QShowEvent* event) {
+    Screen::showEvent(event);
+    if (page_ != Page::Backups && storeHasLost(desk_.live)) showPage(Page::Backups);
+}
+
+void System::lookAtStore() {
+    lookAt_ = QDateTime::currentMSecsSinceEpoch() + 2'000;
+    desk_.requests.ask({{"do", "who"}}, [this](const Answer& answer) { who_ = answer.object.value("name").toString(), whoLevel_ = answer.object.value("level").toString(); }, true);
+    desk_.requests.store({{"do", "store.state"}}, [this](const Answer& answer) {
+        const QJsonObject& told = answer.object;
+        const bool was = loss_.unfit;
+        loss_ = {answer.ok && told.value("unfit").toBool(), told.value("readable").toBool(true), told.value("missing").toString(), told.value("backup").toString()};
+        if (loss_.unfit != was && page_ == Page::Backups) showPage(Page::Backups), refresh();
+    }, true);
+}
+
+void System::confirmLoss() {
+    desk_.requests.store({{"do", "store.confirm"}}, [this](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("Confirmed: production goes on with what is left"), Told::Good);
+        lookAt_ = 0;
+    });
+}
+
+// What is gone, and the two ways on.
+void System::composeNotice(Writer& w) {
+    const Theme& t = theme();
+    const double wide = notice_->width(), high = notice_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    if (!loss_.unfit) return;
+    w.frame(QRectF(0, 0, wide, high), t.bad, px(8), px(2));
+    w.sign(QRectF(px(14), px(10), px(26), px(26)), Sign::Alarm, t.bad);
+    w.text(QRectF(px(50), px(8), wide - px(64), px(30)), word("The machine has lost data: no program starts"), lettering(18, true), t.bad);
+    double y = px(42);
+    const auto line = [&](const QString& told, double tall, const QColor& colour, bool name = false) {
+        Item& item = w.text(QRectF(px(50), y, wide - px(64), tall), told, lettering(15), colour, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true, item.data = name;
+        y += tall;
+    };
+    line(word("Lost: %1").arg(QString::fromStdString(detail_in(loss_.missing.toStdString(), spoken()))), px(24), t.text, true);
+    line(loss_.backup.isEmpty() ? word("There is no backup beside the store: choose one from a stick or the network.") : word("The newest backup: %1").arg(loss_.backup), px(24), t.text, true);
+    line(loss_.readable ? word("«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.")
+                        : word("«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part."),
+         px(64), t.text);
+    if (whoLevel_ != "maker") line(word("Only a maker can confirm: log in on the page «Users»."), px(24), t.warn);
+}
+
 void System::composeForm(Writer& w) {
     const Theme& t = theme();
     const double wide = form_->width();
@@ -241,7 +295,10 @@ void System::composeForm(Writer& w) {
 
 void System::refresh() {
     if (page_ == Page::Users && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
-    if (page_ == Page::Backups) takeFolder();
+    if (page_ == Page::Backups) {
+        takeFolder();
+        if (desk_.live.connected() && (storeHasLost(desk_.live) || loss_.unfit) && QDateTime::currentMSecsSinceEpoch() > lookAt_) lookAtStore();
+    }
     if (page_ == Page::Settings) settings_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -256,6 +313,7 @@ std::vector<SoftKey> System::keys() {
         keys.push_back({word("Open folder"), [this] { open(); }, Sign::Right, !file && files_->row() < static_cast<int>(entries_.size())});
         keys.push_back({word("What would change"), [this] { bringBack(true); }, Sign::None, there && file});
         keys.push_back({word("Restore"), [this] { bringBack(false); }, Sign::Left, there && file && previewOf_ == chosenFile(), false, true, word("Everything becomes as then: press again"), {}, chosenFile(), chosenFile().section('/', -1)});
+        if (loss_.unfit) keys.push_back({word("Confirm the loss"), [this] { confirmLoss(); }, Sign::Warning, there && whoLevel_ == "maker", false, true, word("What is lost stays lost: press again"), {}, loss_.missing});
         return keys;
     }
     const bool named = there && !name_.isEmpty();

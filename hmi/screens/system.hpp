@@ -36,14 +36,21 @@ public:
     Table& files() { return *files_; }
     Table& right() { return *right_; }
     FreeSheet& form() { return *form_; }
+    FreeSheet& notice() { return *notice_; }
     TextPad& pad() { return *pad_; }
     SettingsPage& settings() { return *settings_; }
     const QString& note() const { return note_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
+    void showEvent(QShowEvent*) override;
 
 private:
+    // A store that has lost data, as it says itself.
+    struct Loss {
+        bool unfit = false, readable = true;
+        QString missing, backup;
+    };
     struct User {
         QString name, level;
         bool locked = false;
@@ -54,6 +61,9 @@ private:
     void composeForm(Writer& w);
     void open();
     void look();
+    void lookAtStore();
+    void confirmLoss();
+    void composeNotice(Writer& w);
     void save();
     void bringBack(bool preview);
     void logIn();
@@ -63,7 +73,7 @@ private:
     QString levelWord(const QString& level) const;
 
     Page page_ = Page::Backups;
-    FreeSheet *head_, *form_;
+    FreeSheet *head_, *form_, *notice_;
     Table *files_, *right_;
     TextPad* pad_;
     SettingsPage* settings_;
@@ -74,6 +84,7 @@ private:
     Aside<std::vector<QFileInfo>> reading_;
     QString wanted_;                  // to be chosen when the folder has been read
     QJsonArray preview_;
+    Loss loss_;
     std::vector<User> users_;
     bool usersHidden_ = false;       // from who has not logged in
     void sayWhyNoUsers();

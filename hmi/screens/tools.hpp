@@ -94,7 +94,10 @@ private:
     void unload();
     void newInsert();
     unsigned channelOf(const ToolRow& row) const;
+    struct Shown;
+    static const Shown kShown[];
     void setField(const char* field, const QString& value);
+    void addToField(const Shown& one, double delta);
     void fieldActivated();
     void addTool();
     void nextFilter();

@@ -1,4 +1,6 @@
 // The tables of the screen of tools: one tool's data, lives with their forecast, pallets.
+#include <QJsonArray>
+#include <QJsonObject>
 #include <algorithm>
 #include <cmath>
 
@@ -7,15 +9,14 @@
 #include "ipc/machine/tool_fields.hpp"
 
 namespace polyturn::hmi {
-namespace {
 
 // A column of the tool table as it is shown; of the others the command line tells (tools fields).
-struct Shown {
+struct Tools::Shown {
     const char* field;
     const char* title;
     const char* unit;
 };
-constexpr Shown kShown[] = {{"name", WORD("Name"), ""},
+const Tools::Shown Tools::kShown[] = {{"name", WORD("Name"), ""},
                             {"type", WORD("Type number: the T that calls it"), ""},
                             {"duplo", WORD("Order among sisters"), ""},
                             {"kind", WORD("Kind: 500 roughing, 510 finishing, 200 drill ..."), ""},
@@ -45,6 +46,8 @@ constexpr Shown kShown[] = {{"name", WORD("Name"), ""},
                             {"weight", WORD("Weight"), "kg"},
                             {"speed", WORD("Largest speed"), "1/min"},
                             {"outline", WORD("Outline that protection guards: X -60:0 Z -20:5"), "mm"}};
+
+namespace {
 
 const char* kindWord(unsigned kind) {
     static constexpr const char* kWords[] = {WORD("nothing"), WORD("minutes of cutting"), WORD("pieces"), WORD("uses"), WORD("metres of cutting"), WORD("wear")};
@@ -113,6 +116,25 @@ void Tools::fillData() {
     pad_->onInput = [this](double now) {
         if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now, 6));
     };
+    // The store adds: the machine counts lives up while they are looked at.
+    pad_->onAdded = [this](double delta) {
+        if (page_ == Page::Data) addToField(kShown[table_->row()], delta);
+    };
+}
+
+void Tools::addToField(const Shown& one, double delta) {
+    if (!tool_) return;
+    const std::int32_t tool = tool_;
+    const ToolField& field = tool_field(one.field);
+    const bool length = std::string_view(one.unit) == "mm" && field.type == ToolFieldType::Number;
+    const LengthUnit unit = length ? desk_.live.commonUnit() : LengthUnit{};
+    const QJsonObject entry{{"delta", std::round(delta * 1e9) / 1e9}};
+    desk_.requests.store({{"do", "tools.set"}, {"tool", tool}, {"fields", QJsonObject{{one.field, entry}}}}, [this, tool, unit, title = one.title](const Answer& answer) {
+        if (!answer.ok) return;
+        const QJsonObject told = answer.object.value("entries").toArray().at(0).toObject();
+        const auto number = [&](const char* name) { return numberText(unit.of(told.value(name).toDouble()), unit.inch() ? 4 : 3); };
+        desk_.tell(QString::fromUtf8("T%1  %2: %3 → %4").arg(tool).arg(word(title), number("old"), number("new")), Told::Good);
+    });
 }
 
 // The edges of the tool, read only: they are entered where offsets are. What an edge has no value of is left out, but for its lengths.

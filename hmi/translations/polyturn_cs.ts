@@ -959,6 +959,16 @@
         <translation>Doba výpočtu taktů</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirm the loss</source>
+        <translation>Potvrdit ztrátu</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirmed: production goes on with what is left</source>
+        <translation>Potvrzeno: výroba pokračuje s tím, co zbylo</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Continuous</source>
         <translation>Plynule</translation>
@@ -2384,6 +2394,11 @@
         <translation>Ověřte, zda řízení běží; zkuste znovu.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Lost: %1</source>
+        <translation>Ztraceno: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Lower</source>
         <translation>Dolní</translation>
@@ -2907,6 +2922,11 @@
         <location filename="../screens/stops_page.cpp"/>
         <source>Only L%1</source>
         <translation>Jen L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Only a maker can confirm: log in on the page «Users».</source>
+        <translation>Potvrdit může jen výrobce: přihlaste se na stránce «Uživatelé».</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -4324,6 +4344,11 @@
         <translation>Předchozí program se ještě zapisuje.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The machine has lost data: no program starts</source>
+        <translation>Stroj ztratil data: žádný program se nespustí</translation>
+    </message>
+    <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>Hlavní sklíčidlo upne</translation>
@@ -4337,6 +4362,11 @@
         <location filename="../app/help_view.cpp"/>
         <source>The manual is not installed here.</source>
         <translation>Příručka zde není nainstalována.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The newest backup: %1</source>
+        <translation>Nejnovější záloha: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4472,6 +4502,11 @@
         <location filename="../screens/system.cpp"/>
         <source>There are no users: everybody may do everything. The first one must be a maker.</source>
         <translation>Nejsou uživatelé: každý smí vše. První musí být výrobce.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup beside the store: choose one from a stick or the network.</source>
+        <translation>Vedle úložiště záloha není: vyberte ji na flash disku nebo v síti.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4697,6 +4732,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>To load: choose a tool without a place in the list</source>
         <translation>K vložení: vyberte v seznamu nástroj bez místa</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>To the backups</source>
+        <translation>K zálohám</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -5057,6 +5097,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Co</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What is lost stays lost: press again</source>
+        <translation>Ztracené se nevrátí: znovu</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -6317,6 +6362,16 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>„Změřit“ najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibrujte kolíkem.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part.</source>
+        <translation>«Obnovit» vrátí vše, jak to tehdy bylo. Soubor nelze přečíst celý: po «Potvrdit ztrátu» mohou být parametry, korekce, nulové body, nástroje a uživatelé jako první den. Projděte je před prvním kusem.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.</source>
+        <translation>«Obnovit» vrátí vše, jak to tehdy bylo. «Potvrdit ztrátu» ponechá, co zbylo: poslední změny parametrů, korekcí, nulových bodů, nástrojů, životností a uživatelů jsou navždy pryč. Projděte je před prvním kusem.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

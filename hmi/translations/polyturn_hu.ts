@@ -959,6 +959,16 @@
         <translation>Ütemek számítási ideje</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirm the loss</source>
+        <translation>Veszteség megerősítése</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirmed: production goes on with what is left</source>
+        <translation>Megerősítve: a gyártás a megmaradttal folytatódik</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Continuous</source>
         <translation>Folyamatos</translation>
@@ -2384,6 +2394,11 @@
         <translation>Ellenőrizze, fut-e a vezérlő; próbálja újra.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Lost: %1</source>
+        <translation>Elveszett: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Lower</source>
         <translation>Alsó</translation>
@@ -2907,6 +2922,11 @@
         <location filename="../screens/stops_page.cpp"/>
         <source>Only L%1</source>
         <translation>Csak L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Only a maker can confirm: log in on the page «Users».</source>
+        <translation>Csak a gépgyártó erősítheti meg: jelentkezzen be a «Felhasználók» lapon.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -4324,6 +4344,11 @@
         <translation>Az előző program írása még folyik.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The machine has lost data: no program starts</source>
+        <translation>A gép adatokat vesztett: egyetlen program sem indul</translation>
+    </message>
+    <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>A fő tokmány szorít</translation>
@@ -4337,6 +4362,11 @@
         <location filename="../app/help_view.cpp"/>
         <source>The manual is not installed here.</source>
         <translation>A kézikönyv itt nincs telepítve.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The newest backup: %1</source>
+        <translation>A legújabb mentés: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4472,6 +4502,11 @@
         <location filename="../screens/system.cpp"/>
         <source>There are no users: everybody may do everything. The first one must be a maker.</source>
         <translation>Nincs felhasználó: mindenki mindent tehet. Az elsőnek gyártónak kell lennie.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup beside the store: choose one from a stick or the network.</source>
+        <translation>A tároló mellett nincs mentés: válasszon egyet pendrive-ról vagy a hálózatról.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4697,6 +4732,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>To load: choose a tool without a place in the list</source>
         <translation>Betöltéshez: válasszon a listából hely nélküli szerszámot</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>To the backups</source>
+        <translation>A mentésekhez</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -5057,6 +5097,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Megnevezés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What is lost stays lost: press again</source>
+        <translation>Az elveszett nem jön vissza: újra</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -6317,6 +6362,16 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>A „Mérés” megkeresi a csúcsot, és megmutatja, mi kerülne be. Előbb kalibrálja a kamerát a mérőcsappal.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part.</source>
+        <translation>A «Visszaállítás» mindent az akkori állapotba hoz. A fájl nem olvasható teljesen: a «Veszteség megerősítése» után a paraméterek, korrekciók, nullpontok, szerszámok és felhasználók olyanok lehetnek, mint az első napon. Nézze át őket az első darab előtt.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.</source>
+        <translation>A «Visszaállítás» mindent az akkori állapotba hoz. A «Veszteség megerősítése» azt hagyja meg, ami maradt: a paraméterek, korrekciók, nullpontok, szerszámok, éltartamok és felhasználók legutóbbi módosításai végleg elvesznek. Nézze át őket az első darab előtt.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

@@ -959,6 +959,16 @@
         <translation>Время счёта тактов</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirm the loss</source>
+        <translation>Признать потерю</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Confirmed: production goes on with what is left</source>
+        <translation>Подтверждено: работа идёт дальше с тем, что осталось</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Continuous</source>
         <translation>Непрерывно</translation>
@@ -2384,6 +2394,11 @@
         <translation>Проверьте, работает ли УЧПУ; повторите.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Lost: %1</source>
+        <translation>Потеряно: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Lower</source>
         <translation>Нижн.</translation>
@@ -2907,6 +2922,11 @@
         <location filename="../screens/stops_page.cpp"/>
         <source>Only L%1</source>
         <translation>Только L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Only a maker can confirm: log in on the page «Users».</source>
+        <translation>Признать может только изготовитель: войдите на странице «Пользователи».</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -4324,6 +4344,11 @@
         <translation>Предыдущая программа ещё записывается.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The machine has lost data: no program starts</source>
+        <translation>Станок потерял данные: программы не пускаются</translation>
+    </message>
+    <message>
         <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>Зажать патрон гл. шпинделя</translation>
@@ -4337,6 +4362,11 @@
         <location filename="../app/help_view.cpp"/>
         <source>The manual is not installed here.</source>
         <translation>Руководство здесь не установлено.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The newest backup: %1</source>
+        <translation>Самая новая копия: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -4472,6 +4502,11 @@
         <location filename="../screens/system.cpp"/>
         <source>There are no users: everybody may do everything. The first one must be a maker.</source>
         <translation>Пользователей нет: всем можно всё. Первым должен быть изготовитель.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup beside the store: choose one from a stick or the network.</source>
+        <translation>Рядом с хранилищем копии нет: выберите её на флешке или в сети.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -4697,6 +4732,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>To load: choose a tool without a place in the list</source>
         <translation>Для загрузки выберите в списке инструмент без места</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>To the backups</source>
+        <translation>К резервным копиям</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -5057,6 +5097,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Что</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What is lost stays lost: press again</source>
+        <translation>Потерянного не вернуть: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -6317,6 +6362,16 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала откалибруйте камеру по калибру.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part.</source>
+        <translation>«Восстановить» вернёт всё, как было тогда. Файл не читается целиком: после «Признать потерю» параметры, корректоры, нули, инструменты и пользователи могут стать как в первый день. Проверьте их до первой детали.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.</source>
+        <translation>«Восстановить» вернёт всё, как было тогда. «Признать потерю» оставит то, что есть: последние изменения параметров, корректоров, нулей, инструментов, их стойкости и пользователей пропали навсегда. Проверьте их до первой детали.</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

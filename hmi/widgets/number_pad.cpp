@@ -38,7 +38,7 @@ std::optional<Entry> NumberPad::entry() const {
 std::optional<double> NumberPad::result(const Field& now, bool added) const {
     const auto typed = entry();
     if (!typed) return std::nullopt;
-    const double value = added ? counted(now) + typed->value : typed->over(counted(now));
+    const double value = !now.adds ? typed->value : added ? counted(now) + typed->value : typed->over(counted(now));
     return now.decimals == 0 && value != std::floor(value) ? std::nullopt : std::optional(value * now.size);   // rounded in silence it would be another number than the typed one
 }
 

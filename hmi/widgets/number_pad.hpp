@@ -22,7 +22,8 @@ public:
         unsigned decimals = 3;    // 0: a whole number, and nothing else is taken
         bool bits = false;        // of a parameter: shown as the digits #7 to #0, and eight digits of 0 and 1 are read so
         double size = 1;          // of one `unit`, as it is held (25.4 of an inch): `present` and what comes out are held, what is typed is not
-        bool adds = true;         // false: a number by which something is called, to which nothing is added
+        // false: a number by which something is called, a measured value, a pattern of bits: nothing is added to it, and +5 is 5
+        bool adds = true;
     };
     // What the number is for; empty: nothing is chosen.
     std::function<std::optional<Field>()> field;
