@@ -66,7 +66,7 @@ TEST_F(AddedInStore, TheLifeOfATool) {
     hand.touchCell(tools.list(), tools.rowOf(7), 1);
     hand.soft("Tool data");
     ASSERT_EQ(tools.table().cell(7, 0).text, "Used up");
-    hand.touchCell(tools.table(), 7, 1);
+    tools.table().choose(7);
     frames(*window);
     hand.type("+5");
     elsewhere({"tools", "set", "7", "counter=30"});   // the machine has counted
