@@ -46,3 +46,23 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 first_build() {
     [[ -e $1/CMakeCache.txt ]] || printf '%s' "-DPOLYTURN_PCH=ON -DPOLYTURN_UNITY=ON"
 }
+
+# run_ctest FOLDER WORDS …: all tests of this build; the list of those that were skipped; ctest's summary once more, which closes the output.
+# The exit status is ctest's, or 1 when one was skipped that tests/skips.txt does not expect.
+run_ctest() {
+    local build status=0 skips=0
+    build=$(realpath "$1")
+    shift
+    say "Tests"
+    rm -f "$build/tests.xml"
+    (cd "$build" && ctest --output-on-failure --test-output-size-passed 10000000 --output-junit "$build/tests.xml" -j "$jobs" "$@") | tee "$build/tests.log" || status=$?
+    say "Skipped"
+    python3 "$top/tests/gate/skips.py" "$build/tests.xml" || skips=1   # also when ctest has left no result
+    printf '\n'
+    sed -n '/^[0-9]*% tests passed/,$p' "$build/tests.log"
+    if ((skips)); then
+        printf 'A test was skipped that tests/skips.txt does not expect: see above\n'
+        ((status)) || status=1
+    fi
+    return "$status"
+}

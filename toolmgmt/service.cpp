@@ -174,7 +174,7 @@ void Service::look_for_kernel() {
 void Service::replay() {
     StoreSegment& own = image_.segment();
     const auto tail = own.persist_tail.tail.load();
-    if (!kernel_.attached() || replay_from_ >= tail) return;
+    if (!kernel_.attached()) return;
     constexpr auto kCapacity = decltype(KernelSegment::persist)::capacity;
     std::vector<Change> changes;
     for (auto index = replay_from_; index < tail; ++index) {
@@ -189,6 +189,8 @@ void Service::replay() {
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
     }
     keep_pending(changes);
+    // All of it was on the disk already, the predecessor only could not say so any more.
+    if (pending_.empty()) own.on_disk.store(tail, std::memory_order_release);
 }
 
 bool Service::take_persist() {

@@ -5,7 +5,8 @@
     judge.py --judge FILE                                             only judges what an earlier call has written
 
 Without --cases and --judge the variables POLYTURN_CASES and POLYTURN_CASES_RESULT say where they are.
-Exit status 1: a case listed in passing.txt fails; 77: there are no cases here. Cases that newly pass are named, so that they are added (--bless).
+Exit status 1: a case listed in passing.txt fails or is gone; 77: there are no cases here. Cases that newly pass are named, so that they are added
+(--bless). Blessing only adds: a case that passed before stays listed and fails the run until somebody takes it out by hand.
 """
 import argparse
 import concurrent.futures
@@ -61,15 +62,18 @@ def judge(results, bless):
         print(f"LOST {name}: {results[name]}")
     for name in gone:
         print(f"gone {name}: no such case any more")
+    for name, fault in results.items():
+        if fault is not None and name not in listed:
+            print(f"open {name}: has never passed: {fault}")
     if bless:
-        head = "# Acceptance cases that pass and must go on passing. packaging/test --bless-cases writes this list.\n"
-        keep = sorted(name for name, fault in results.items() if fault is None)
+        head = "# Acceptance cases that pass and must go on passing. packaging/test --bless-cases adds to this list.\n"
+        keep = sorted(listed + new)
         PASSING.write_text(head + "".join(f"{name}\n" for name in keep), encoding="utf-8")
-        print(f"{PASSING}: {len(keep)} cases")
-        return 0
-    for name in new:
-        print(f"new  {name}: passes; packaging/test --bless-cases writes it down")
-    return 1 if lost else 0
+        print(f"{PASSING}: {len(keep)} cases, {len(new)} of them new")
+    else:
+        for name in new:
+            print(f"new  {name}: passes; packaging/test --bless-cases writes it down")
+    return 1 if lost or gone else 0
 
 
 def main():

@@ -12,6 +12,7 @@ import tomllib
 import unittest
 
 from polyturn_runner import SOURCE, Case
+from seeds import seeds
 
 JOBS = sorted((SOURCE / "examples/jobs").glob("*/*.job.toml"))
 BROKEN = "shaft-broken"   # shipped to show what a crossed wait looks like
@@ -57,7 +58,8 @@ class CheckAndRun(Case):
 
     def test_what_check_says_of_a_mutated_job_a_run_shows(self):
         false = []
-        for seed in range(SEED, SEED + RUNS):
+        tried = seeds("check_and_run_e2e", "CHECK_SEED", SEED, RUNS, 3)
+        for seed in tried:
             dice = random.Random(seed)
             job = dice.choice([one for one in JOBS if one.parent.name != BROKEN])
             with tempfile.TemporaryDirectory() as scratch:
@@ -82,7 +84,7 @@ class CheckAndRun(Case):
                 ran = self.polyturn("run", "--virtual", copy / job.name, "--quiet", timeout=300)
                 if ran.status == 0 and not set(says) <= set(told(ran)):
                     false.append(f"seed {seed}, {job.stem} L{channel} {what}: check said {says}, the run went well: {json.dumps(told(ran))}")
-        self.assertEqual(false, [], f"{len(false)} of {RUNS}\n" + "\n".join(false))
+        self.assertEqual(false, [], f"{len(false)} of {len(tried)}\n" + "\n".join(false))
 
 
 if __name__ == "__main__":

@@ -3,12 +3,15 @@
 7.6): units, diameters, increments, zeros that replace and add to each other, mirror, scale, polar points, every form of an arc."""
 import json
 import math
+import os
 import random
 import unittest
 
 from polyturn_runner import Case
+from seeds import seeds
 
 PROGRAMS = 60
+FIRST = int(os.environ.get("FAGOR_SEED", "0"))
 ZEROS = ("G54", "G55", "G56", "G57", "G58", "G59", "G159N9", "G159N14")
 TOLERANCE = 0.004   # words have four decimals, five in inches
 
@@ -197,8 +200,8 @@ class Model:
 
 class FagorPoints(Case):
     def test_random_programs_go_where_the_model_does(self):
-        for seed in range(PROGRAMS):
-            with self.subTest(seed):
+        for seed in seeds("fagor_points_e2e", "FAGOR_SEED", FIRST, PROGRAMS, 5):
+            with self.subTest(seed=seed):
                 model = Model(seed)
                 pairs = [f"{name} = {{ X = {x}, Z = {z} }}" for name, (x, z) in model.table.items()]
                 setup = "[channel.1]\nmachine = { X = 200.0, Z = 100.0 }\nwork = { " + ", ".join(pairs) + " }\n"

@@ -14,6 +14,7 @@ import subprocess
 import unittest
 
 from polyturn_runner import POLYTURN, Case, read_trace
+from seeds import seeds
 
 RUNS = int(os.environ.get("FAULT_RUNS", "12"))
 SEED = int(os.environ.get("FAULT_SEED", "1"))
@@ -181,7 +182,7 @@ class Faults(Case):
     def test_killed_and_frozen_at_seeded_moments(self):
         calm, calm_trace = self.job("calm", "")
         self.assertEqual(calm.status, 0, calm.said())
-        for seed in range(SEED, SEED + RUNS):
+        for seed in seeds("faults_e2e", "FAULT_SEED", SEED, RUNS, 3):
             with self.subTest(seed=seed):
                 self.check(seed, calm, calm_trace)
 

@@ -15,6 +15,7 @@ import time
 import unittest
 
 from polyturn_runner import POLYTURN, Case
+from seeds import seeds
 
 RUNS = int(os.environ.get("ALONE_RUNS", "20"))
 SEED = int(os.environ.get("ALONE_SEED", "1"))
@@ -128,7 +129,7 @@ class LeftAlone(Case):
     def sets(self, *more):
         return [word for one in (*SETS, "PT_PARTNER_DEATH=0", *more) for word in ("--set", one)]
 
-    def one_run(self, number, rng, virtual):
+    def one_run(self, seed, number, rng, virtual):
         one, two, setup = self.files()
         instance = f"alone-{os.getpid()}-{number}"
         scenario = self.write("s.toml", "".join(f'[[at]]\nt = 0.0\npress = "scope {i + 1} {what}"\n' for i, what in enumerate(SCOPE)))
@@ -141,7 +142,7 @@ class LeftAlone(Case):
             box, pids = self.watch(instance)
             delay = rng.uniform(0.0, 1.5 if virtual else 4.0)
             time.sleep(delay)
-            about = f"{'virtual' if virtual else 'real'} time, {delay:.3f} s; ALONE_SEED={SEED} run {number}; {(self.folder / 'said.log').read_text(errors='replace')[-500:]}"
+            about = f"{'virtual' if virtual else 'real'} time, {delay:.3f} s; ALONE_SEED={seed} run {number}; {(self.folder / 'said.log').read_text(errors='replace')[-500:]}"
             self.assertIsNone(supervisor.poll(), "the run is over already; " + about)
             self.after(supervisor, box, pids, about)
         finally:
@@ -150,10 +151,11 @@ class LeftAlone(Case):
             self.polyturn("clean")
 
     def test_the_machine_comes_to_rest_and_everybody_ends(self):
-        rng = random.Random(SEED)
-        for number in range(RUNS):
-            with self.subTest(run=number):
-                self.one_run(number, rng, virtual=number % 2 == 1)
+        for seed in seeds("left_alone_e2e", "ALONE_SEED", SEED, 1, 1):
+            rng = random.Random(seed)
+            for number in range(RUNS if seed == SEED else RUNS // 5):
+                with self.subTest(seed=seed, run=number):
+                    self.one_run(seed, number, rng, virtual=number % 2 == 1)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import time
 import unittest
 
 from polyturn_runner import POLYTURN, Case
+from seeds import seeds
 
 KILLS = int(os.environ.get("TOOL_KILLS", "12"))
 SEED = int(os.environ.get("TOOL_SEED", "2026"))
@@ -79,7 +80,18 @@ class Killed(Case):
             file.write(rnd.randbytes(rnd.randrange(1, 4096 + 24)))
 
     def test_nothing_acknowledged_is_lost(self):
-        rnd = random.Random(SEED)
+        self.kills(SEED, KILLS)
+
+    def test_nothing_acknowledged_is_lost_at_new_moments(self):
+        for seed in seeds("tools_kill_e2e", "TOOL_SEED", SEED, 1, 1)[1:]:
+            with self.subTest(seed=seed):
+                self.folder = self.folder / str(seed)   # a store of its own
+                self.folder.mkdir()
+                self.kills(seed, max(2, KILLS // 3))
+                self.kill()
+
+    def kills(self, seed, count):
+        rnd = random.Random(seed)
         self.start()
         for n in range(1, 6):
             self.assertTrue(self.call("tools", "add", f"name=T{n}", f"type={n}", f"h={n}", "life_kind=pieces", "life=1000000")[0])
@@ -87,7 +99,7 @@ class Killed(Case):
         known = {}          # what -> acknowledged value
         asked = {}          # what -> values asked for and not acknowledged
         acknowledged = 0
-        for round_ in range(KILLS):
+        for round_ in range(count):
             moment = time.monotonic() + rnd.uniform(0.02, 0.5)
             while time.monotonic() < moment:
                 n = rnd.randrange(1, 6)
@@ -134,8 +146,8 @@ class Killed(Case):
             standing = [(p["magazine"], p["pot"]) for p in places if p.get("tool")]
             self.assertEqual(len(standing), len(set(standing)))
             self.assertEqual(len(standing), 5)
-        self.assertGreater(acknowledged, KILLS)
-        print(f"{KILLS} kills, {acknowledged} acknowledged changes")
+        self.assertGreater(acknowledged, count)
+        print(f"{count} kills, {acknowledged} acknowledged changes")
 
 
 if __name__ == "__main__":

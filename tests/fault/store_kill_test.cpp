@@ -13,6 +13,7 @@
 
 #include "../unit/toolmgmt/store_rig.hpp"
 #include "tests/places.hpp"
+#include "tests/seeds.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ TEST(StoreKilled, LosesNothingThatWasAcknowledged) {
     StoreRig rig("kill");
     rig.make_kernel();
     const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
-    std::mt19937 random(20'26);
+    std::mt19937 random(test_seed(20'26));
     std::map<int, Cell> offsets, variables;   // wear X of offsets of L1 by operator; #500.. of L2 by program
     std::map<std::uint64_t, std::pair<int, double>> written;   // persist index behind it -> variable, value
     std::map<std::uint64_t, std::pair<int, double>> open;      // request id -> offset, value; a successor answers what is left
@@ -107,7 +108,7 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
     StoreRig rig("kill-tools");
     rig.make_kernel();
     const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001"};
-    std::mt19937 random(77);
+    std::mt19937 random(test_seed(77));
     const auto send = [&](const Json& operation) {
         const std::string text = operation.dump();
         constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;

@@ -16,6 +16,7 @@
 #include "../unit/toolmgmt/store_rig.hpp"
 #include "file_record.hpp"
 #include "tests/places.hpp"
+#include "tests/seeds.hpp"
 #include "toolmgmt/database.hpp"
 
 namespace {
@@ -168,7 +169,7 @@ protected:
 
     StoreRig rig;
     std::string record;
-    std::mt19937 random{20'26};
+    std::mt19937 random{static_cast<std::mt19937::result_type>(test_seed(2026))};
 };
 
 TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {

@@ -17,7 +17,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 from polyturn_runner import LiveCase   # noqa: E402
 
-SEED = int(os.environ.get("SOCKET_SEED", "7"))
+SEED = os.environ.get("SOCKET_SEED", "7")   # "new": another one each time
+SEED = random.SystemRandom().randrange(10**6, 10**9) if SEED == "new" else int(SEED)
 SECONDS = float(os.environ.get("SOCKET_SECONDS", "10"))
 
 PRESSES = ["cycle_start L1", "feed_hold", "reset", "emergency_stop", "release_emergency_stop", "machine_on", "mode L1=mdi", "select L1=O1.nc", "mdi L1 G0 X50.", "jog A1+ 0.1s", "step A1- 0.01",

@@ -222,7 +222,8 @@ class Episode:
 
 def main():
     seconds = float(os.environ.get("HOUR_SECONDS", "120"))
-    seed = int(os.environ.get("HOUR_SEED", "1"))
+    seed = os.environ.get("HOUR_SEED", "1")
+    seed = random.SystemRandom().randrange(10**6, 10**9) if seed == "new" else int(seed)
     only = os.environ.get("HOUR_RUN")
     print(f"seed {seed}: {seconds:.0f} s of virtual time; HOUR_SEED={seed} HOUR_RUN=n repeats a run", flush=True)
     faulty = 0

@@ -3,9 +3,11 @@
 
 #include <QApplication>
 
+#include "tests/seeds.hpp"
+
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     ::testing::InitGoogleTest(&argc, argv);
     QApplication app(argc, argv);
-    return RUN_ALL_TESTS();
+    return run_tests_with_seeds();
 }

@@ -8,6 +8,7 @@
 
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/sheet.hpp"
+#include "tests/seeds.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -61,7 +62,7 @@ TEST(SetWords, AreCutWhereTheRoomEndsAndSaySo) {
 
 // Each step changes some items at random; what has been painted over the picture of before is what is painted anew.
 TEST(Sheet, LeavesNoStalePixel) {
-    std::mt19937 random(11);
+    std::mt19937 random(test_seed(11));
     const auto draw = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
     std::vector<double> numbers(12, 0.0);
     QStringList words{"hold", "Waiting for L2", "runs", "N160", "–", "0:01:12", "Ожидание"};

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "tests/seeds.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {
@@ -43,7 +44,7 @@ TEST(Waits, ForTheEndOfAProgramOpensWhenTheOtherRestsWhateverItWaitsFor) {
 }
 
 TEST(Waits, ReleaseWhomThePlainModelReleases) {
-    std::mt19937 random(4711);
+    std::mt19937 random(test_seed(4711));
     for (int round = 0; round < 200; ++round) {
         WaitBoard board;
         Model model;

@@ -3,10 +3,10 @@
 #include "kernel/supervisor/event_joiner.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <vector>
+#include "tests/property.hpp"
 
 namespace polyturn::supervisor {
 namespace {
@@ -124,7 +124,7 @@ TEST(EventJoiner, NotesThatWereSkippedAreDropped) {
     EXPECT_EQ(out.lines.size(), 1u);
 }
 
-RC_GTEST_PROP(EventJoiner, EveryEventOnceInOrderWhateverTheDrains, ()) {
+PROPERTY(EventJoiner, EveryEventOnceInOrderWhateverTheDrains, ()) {
     struct Block {
         unsigned channel;
         std::uint64_t number;

@@ -2,9 +2,9 @@
 #include "kernel/supervisor/wait_match.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <map>
+#include "tests/property.hpp"
 
 namespace polyturn::supervisor {
 namespace {
@@ -130,7 +130,7 @@ bool model_fits(Programs programs, std::size_t& meetings) {
     return true;
 }
 
-RC_GTEST_PROP(WaitMatch, AgreesWithTheModel, ()) {
+PROPERTY(WaitMatch, AgreesWithTheModel, ()) {
     static constexpr const char* kCodes[] = {"M501", "M502", "M503"};
     Programs programs;
     const unsigned channels = *rc::gen::inRange(2u, 5u);

@@ -1,6 +1,5 @@
 // Random requests against a plain std::map, with the file reopened in between; and files that end in the middle of a write.
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 #include <unistd.h>
 
 #include <bit>
@@ -15,6 +14,7 @@
 
 #include "ipc/machine/load_machine.hpp"
 #include "tests/places.hpp"
+#include "tests/property.hpp"
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/database.hpp"
 
@@ -96,7 +96,7 @@ void compare(const Model& model, StoreValues& values) {
 }
 
 TEST(StoreModel, HoldsExactlyWhatAMapHoldsAfterEveryReopening) {
-    const bool good = rc::check("requests and reopenings", [] {
+    const bool good = holds("requests and reopenings", [] {
         const Folder folder("model");
         const MachineConfig machine = derive_machine_config(machine_table());
         Model model;
@@ -128,7 +128,7 @@ TEST(StoreModel, HoldsExactlyWhatAMapHoldsAfterEveryReopening) {
 TEST(StoreModel, NeverTakesWhatARequestOfRandomBytesAsksUnlessItIsWhole) {
     const MachineConfig machine = derive_machine_config(machine_table());
     auto values = fresh_values();
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(test_seed(5));
     for (int i = 0; i < 20'000; ++i) {
         StoreRequest request{};
         request.kind = static_cast<std::uint32_t>(random() % 12);
@@ -172,7 +172,7 @@ TEST(StoreTorn, OpensWithWholeCommitsOnly) {
     const fs::path base = origin.path / Database::kFile, log = fs::path(base.string() + "-wal");
     ASSERT_TRUE(fs::exists(log));
     const auto size = fs::file_size(log);
-    std::mt19937_64 random(17);
+    std::mt19937_64 random(test_seed(17));
     int newest = 0, oldest = kCommits;
     for (int i = 0; i < 150; ++i) {
         fs::remove_all(copy.path);

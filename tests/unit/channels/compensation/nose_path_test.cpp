@@ -1,7 +1,6 @@
 // Random contours: the nose never comes closer to the contour than its radius, and touches every element. The oracle
 // measures both curves in small steps and shares nothing with compensation but the moves that went in and came out.
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "channels/compensation/compensator.hpp"
+#include "tests/property.hpp"
 #include "tests/unit/channels/quiet_sink.hpp"
 
 namespace polyturn::channels::compensation {
@@ -203,14 +203,14 @@ TEST(NosePath, SharpInnerCornersAreMarkedForLessFeed) {
 }
 
 TEST(NosePath, KeepsItsDistanceAndTouchesEveryElement) {
-    EXPECT_TRUE(rc::check("corners lengthened, fanuc", [] {
+    EXPECT_TRUE(holds("corners lengthened, fanuc", [] {
         const double radius = draw(0.05, 1.0);
         const int side = pick(2) ? 1 : -1;
         const Ways ways = drive(radius, side, {});
         RC_CLASSIFY(ways.failed, "alarm");
         if (!ways.failed) judge(ways, radius, true);
     }));
-    EXPECT_TRUE(rc::check("corners with an arc or an intersection, sinumerik", [] {
+    EXPECT_TRUE(holds("corners with an arc or an intersection, sinumerik", [] {
         const double radius = draw(0.05, 1.0);
         const int side = pick(2) ? 1 : -1;
         Options options;
@@ -225,7 +225,7 @@ TEST(NosePath, KeepsItsDistanceAndTouchesEveryElement) {
 // The same contours with every element in turn an alarm would be no proof: at least nine of ten must be driven.
 TEST(NosePath, SeldomRefuses) {
     int refused = 0, all = 0;
-    EXPECT_TRUE(rc::check([&] {
+    EXPECT_TRUE(holds("", [&] {
         refused += drive(draw(0.05, 1.0), pick(2) ? 1 : -1, {}).failed;
         ++all;
     }));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "channels/compensation/compensator.hpp"
+#include "tests/seeds.hpp"
 #include "tests/unit/channels/quiet_sink.hpp"
 
 namespace polyturn::channels::compensation {
@@ -85,7 +86,7 @@ Options options_of(ShortLast how) {
 
 // A long line, up to eight short ones that turn left, and a long line again.
 TEST(ShortElements, AHollowOfShortLinesIsNotCutInto) {
-    std::mt19937 random(11);
+    std::mt19937 random(test_seed(11));
     std::uniform_real_distribution<double> turn(5, 40), size(0.2, 4), nose(1, 5);
     std::uniform_int_distribution<int> lines(1, 8);
     int left_out = 0;

@@ -1,10 +1,10 @@
 // The geometry of chamfers and roundings: worked examples and what must hold for any two elements.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <numbers>
 
 #include "channels/corners/corner_element.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::channels::corners {
 namespace {
@@ -50,7 +50,7 @@ TEST(CornerElement, ARightAngle) {
     EXPECT_NEAR(c.cut_a, 10, 1e-5);
 }
 
-RC_GTEST_PROP(CornerElement, ARoundingIsTangentAndLiesOnBothElements, ()) {
+PROPERTY(CornerElement, ARoundingIsTangentAndLiesOnBothElements, ()) {
     const Element a = any(true), b = any(false);
     const double radius = within(0.1, 10);
     Corner c;
@@ -67,7 +67,7 @@ RC_GTEST_PROP(CornerElement, ARoundingIsTangentAndLiesOnBothElements, ()) {
     RC_ASSERT(c.cut_b <= path_length(b) + 1e-5);
 }
 
-RC_GTEST_PROP(CornerElement, AChamferHasItsLengthsAndIsSymmetrical, ()) {
+PROPERTY(CornerElement, AChamferHasItsLengthsAndIsSymmetrical, ()) {
     const Element a = any(true), b = any(false);
     const double size = within(0.1, 5);
     Corner c;
@@ -82,7 +82,7 @@ RC_GTEST_PROP(CornerElement, AChamferHasItsLengthsAndIsSymmetrical, ()) {
     }
 }
 
-RC_GTEST_PROP(CornerElement, TheLargestThatFitsUsesUpOneElement, ()) {
+PROPERTY(CornerElement, TheLargestThatFitsUsesUpOneElement, ()) {
     const Element a = any(true), b = any(false);
     const double turn = std::fabs(std::atan2(cross(a.end_dir, b.start_dir), dot(a.end_dir, b.start_dir)));
     RC_PRE(!a.arc && !b.arc && turn > 0.1 && turn < 3.0);

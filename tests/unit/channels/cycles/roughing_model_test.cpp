@@ -6,7 +6,6 @@
 // After roughing exactly the contour shifted by the allowance is left, within a micrometre, nothing was cut below it, no rapid
 // went through stock, and the tool stands where it began. Depths and heights share a raster: levels lie on corners.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <numbers>
 
 #include "../compensation/lathe_program.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -132,7 +132,7 @@ void judge(const Job& job) {
     EXPECT_LT(distance(here, start), 1e-6);
 }
 
-RC_GTEST_PROP(RoughingModel, LeavesTheAllowanceOnLinesAndArcs, ()) {
+PROPERTY(RoughingModel, LeavesTheAllowanceOnLinesAndArcs, ()) {
     Job job;
     job.pattern = *rc::gen::element(0, 0, 0, 1, 3);
     job.facing = !job.pattern && *rc::gen::arbitrary<bool>();

@@ -1,11 +1,11 @@
 // G71 and G72 against an area model: the stock above every place of the work, lowered by what the tool passes over.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "../compensation/lathe_program.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -109,7 +109,7 @@ TEST(StockRemoval, ClearsPocketsOneAfterTheOther) {
 
 TEST(StockRemoval, EndsInsideAPocket) { judge({{30, 0}, {50, -10}, {30, -20}, {30, -30}}, 2.0, 0.2, true, 60, 0); }
 
-RC_GTEST_PROP(StockRemoval, RandomContours, ()) {
+PROPERTY(StockRemoval, RandomContours, ()) {
     const bool pockets = *rc::gen::arbitrary<bool>();
     std::vector<Corner> contour{{static_cast<double>(*rc::gen::inRange(10, 40)), 2.0}};
     const int corners = *rc::gen::inRange(1, 9);

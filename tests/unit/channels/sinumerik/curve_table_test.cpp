@@ -2,11 +2,11 @@
 #include "channels/sinumerik/curve_table.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
 #include "../play.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::channels::testing {
 namespace {
@@ -67,7 +67,7 @@ TEST(CurveTables, RefuseWhatIsNoCurve) {
     EXPECT_GT(run("CTABEND\nM30\n").errors, 0u);
 }
 
-RC_GTEST_PROP(CurveTables, AgreeWithASlowSearch, ()) {
+PROPERTY(CurveTables, AgreeWithASlowSearch, ()) {
     CurveTable table;
     table.periodic = *rc::gen::inRange(0, 3);
     double lead = *rc::gen::inRange(-50, 50);

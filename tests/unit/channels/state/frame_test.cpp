@@ -1,8 +1,8 @@
 // Frames: the rule itself, and what Core makes of it.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "core_rig.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -18,7 +18,7 @@ Frame any_frame() {
     return f * Frame::mirror(*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>());
 }
 
-RC_GTEST_PROP(Frames, TheInverseTakesAnyPointBack, ()) {
+PROPERTY(Frames, TheInverseTakesAnyPointBack, ()) {
     const Frame f = any_frame() * any_frame();
     RC_ASSERT(f.invertible());
     const Point3 p{within(-100, 100), within(-100, 100), within(-100, 100)};
@@ -26,7 +26,7 @@ RC_GTEST_PROP(Frames, TheInverseTakesAnyPointBack, ()) {
     for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(std::fabs(back[i] - p[i]) < 1e-8);
 }
 
-RC_GTEST_PROP(Frames, AChainIsOneFrame, ()) {
+PROPERTY(Frames, AChainIsOneFrame, ()) {
     const Frame a = any_frame(), b = any_frame();
     const Point3 p{within(-100, 100), within(-100, 100), within(-100, 100)};
     const Point3 one = (a * b).map(p), two = a.map(b.map(p));
@@ -121,7 +121,7 @@ TEST(CoreFrame, AQuarterTurnPutsAnArcIntoAnotherPlane) {
 }
 
 // I1 after any frame, zero, shift and move.
-RC_GTEST_PROP(CoreFrame, TheEquationHolds, ()) {
+PROPERTY(CoreFrame, TheEquationHolds, ()) {
     CoreRig rig(true);
     Core& core = *rig.core;
     for (int n = 0; n < 20; ++n) {

@@ -1,11 +1,11 @@
 #include "channels/text/line_source.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include "tests/property.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -84,7 +84,7 @@ TEST(LineSource, SeeksBackToEveryLineOfAFileLargerThanItsWindow) {
     }
 }
 
-RC_GTEST_PROP(LineSource, LosesNoCharacterWhateverTheLineEnds, ()) {
+PROPERTY(LineSource, LosesNoCharacterWhateverTheLineEnds, ()) {
     const auto parts = *rc::gen::container<std::vector<std::string>>(rc::gen::container<std::string>(rc::gen::elementOf(std::string("GX1 .\n\r"))));
     std::string text, kept;
     for (const std::string& part : parts) text += part;

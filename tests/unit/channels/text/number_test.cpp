@@ -1,11 +1,11 @@
 #include "channels/text/number.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include "tests/property.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -47,7 +47,7 @@ TEST(ScanNumber, ReadsOneNumberAndLeavesTheRest) {
 }
 
 // Up to 15 digits it rounds exactly as the C library does.
-RC_GTEST_PROP(ScanNumber, AgreesWithTheLibrary, ()) {
+PROPERTY(ScanNumber, AgreesWithTheLibrary, ()) {
     const auto digits = *rc::gen::inRange<std::int64_t>(0, 1'000'000'000'000'000);
     const int places = *rc::gen::inRange(0, 16);
     std::string text = std::to_string(digits);

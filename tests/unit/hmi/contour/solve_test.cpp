@@ -3,11 +3,10 @@
 #include "hmi/contour/contour.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <complex>
+#include "tests/property.hpp"
 
 namespace polyturn::contour {
 namespace {
@@ -92,7 +91,7 @@ Element thin(Element e, int keep) {
     return e;
 }
 
-RC_GTEST_PROP(ContourSolve, EverySolutionHasWhatIsToldAndTheTruthIsAmongThem, ()) {
+PROPERTY(ContourSolve, EverySolutionHasWhatIsToldAndTheTruthIsAmongThem, ()) {
     Contour contour;
     contour.start = {number(-5, 5), number(5, 20)};
     Point at = contour.start;
@@ -209,7 +208,7 @@ TEST(ContourSolve, TransitionsEndTheElements) {
 }
 
 // Any two known elements: the rounding touches both and is as large as told.
-RC_GTEST_PROP(ContourSolve, ARoundingTouchesBothElements, ()) {
+PROPERTY(ContourSolve, ARoundingTouchesBothElements, ()) {
     Contour contour;
     contour.start = {0, 10};
     const Truth a = truth(contour.start, 0, false), b = truth(a.to, a.end_way, false);

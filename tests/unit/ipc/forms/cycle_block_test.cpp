@@ -2,12 +2,11 @@
 #include "ipc/forms/cycle_block.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
 #include "ipc/forms/block_text.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::forms {
 namespace {
@@ -42,7 +41,7 @@ void expect_same(const CycleBlock& a, const CycleBlock& b) {
     }
 }
 
-RC_GTEST_PROP(CycleForms, WhatIsWrittenIsReadBack, ()) {
+PROPERTY(CycleForms, WhatIsWrittenIsReadBack, ()) {
     const Dialect& dialect = kDialects[*rc::gen::inRange<std::size_t>(0, std::size(kDialects))];
     const auto forms = forms_of(dialect);
     const Form& form = *forms[*rc::gen::inRange<std::size_t>(0, forms.size())];

@@ -2,10 +2,10 @@
 #include "ipc/image/block_pictures.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <memory>
 #include <vector>
+#include "tests/property.hpp"
 
 namespace polyturn {
 namespace {
@@ -49,7 +49,7 @@ TEST(BlockPictures, AnotherProgramKnowsNothingOfTheOneBefore) {
     EXPECT_FALSE(find_picture(*channel, 4, found));
 }
 
-RC_GTEST_PROP(BlockPictures, AgreesWithAPlainList, ()) {
+PROPERTY(BlockPictures, AgreesWithAPlainList, ()) {
     static auto channel = std::make_unique<ChannelSegment>();
     channel->picture_first.store(channel->pictures.head.load());
     std::vector<BlockPicture> model;

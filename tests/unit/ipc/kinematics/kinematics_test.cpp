@@ -8,6 +8,7 @@
 
 #include "ipc/kinematics/five_axis.hpp"
 #include "ipc/kinematics/polar.hpp"
+#include "tests/seeds.hpp"
 
 namespace polyturn {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 struct Dice {
-    std::mt19937_64 engine{20260117};
+    std::mt19937_64 engine{test_seed(20260117)};
     double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
 };
 

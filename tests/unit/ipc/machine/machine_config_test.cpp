@@ -1,7 +1,6 @@
 #include "ipc/machine/machine_config.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "ipc/machine/room_bodies.hpp"
 #include "ipc/params/registry.hpp"
 #include "tests/places.hpp"
+#include "tests/property.hpp"
 
 namespace {
 
@@ -128,7 +128,7 @@ TEST(MachineConfig, ChoosesTheTickByTheChannelsThatOwnAxes) {
 
 // Whatever the parameters say within their limits, every number in the result can be used as an index.
 TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
-    const bool good = rc::check("random tables", [] {
+    const bool good = holds("random tables", [] {
         auto t = std::make_unique<params::Table>(params::defaults());
         const auto put_some = [&](const auto& handle, int low, int high) {
             const unsigned count = params::instances(std::decay_t<decltype(handle)>::kScope);

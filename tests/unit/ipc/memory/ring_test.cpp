@@ -2,7 +2,6 @@
 #include "ipc/memory/spsc_ring.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <deque>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <thread>
 
 #include "ipc/memory/note_ring.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn {
 namespace {
@@ -49,7 +49,7 @@ TEST(SpscRing, ClaimedButNotCommittedIsNotSent) {
     EXPECT_EQ(consumer.front()->a, 2u);
 }
 
-RC_GTEST_PROP(SpscRing, BehavesAsAQueue, (const std::vector<bool>& pushes)) {
+PROPERTY(SpscRing, BehavesAsAQueue, (const std::vector<bool>& pushes)) {
     RingHead<Item, 8> head;
     RingTail tail;
     RingProducer producer(head, tail);

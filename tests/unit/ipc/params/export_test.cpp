@@ -2,13 +2,12 @@
 #include "ipc/params/export.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <memory>
 
 #include "ipc/params/unit.hpp"
+#include "tests/property.hpp"
 
 namespace polyturn::params {
 namespace {
@@ -51,7 +50,7 @@ Assignment some_assignment() {
     return out;
 }
 
-RC_GTEST_PROP(ExportedParameters, ReadInAgainToTheSameTable, ()) {
+PROPERTY(ExportedParameters, ReadInAgainToTheSameTable, ()) {
     std::vector<Assignment> assignments;
     const int count = *rc::gen::inRange(0, 60);
     for (int i = 0; i < count; ++i) assignments.push_back(some_assignment());
@@ -66,7 +65,7 @@ RC_GTEST_PROP(ExportedParameters, ReadInAgainToTheSameTable, ()) {
     RC_ASSERT(difference(*table, *again).empty());
 }
 
-RC_GTEST_PROP(ParameterDifference, AppliedAsLinesGivesTheOtherTable, ()) {
+PROPERTY(ParameterDifference, AppliedAsLinesGivesTheOtherTable, ()) {
     auto before = fresh(), after = fresh();
     for (Table* table : {before.get(), after.get()}) {
         std::vector<Assignment> assignments;

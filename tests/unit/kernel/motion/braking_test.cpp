@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 #include <vector>
+#include "tests/seeds.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -39,7 +40,7 @@ Limits random_limits(std::mt19937_64& random, double v, bool bends) {
 
 // Drives it in small steps and judges each by the limits of where it is.
 TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(test_seed(1));
     auto braking = std::make_unique<Braking>();
     int possible = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -83,7 +84,7 @@ TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
 
 // Without bends the closed form is the shortest. With faint ones it is hardly longer.
 TEST(Braking, IsTheShortest) {
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(test_seed(2));
     auto braking = std::make_unique<Braking>();
     for (int i = 0; i < 5'000; ++i) {
         const double v = log_between(random, 0.1, 600);
@@ -104,7 +105,7 @@ TEST(Braking, IsTheShortest) {
 }
 
 TEST(Braking, ArrivesWhereAProfileToThatSpeedDoes) {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(test_seed(3));
     auto braking = std::make_unique<Braking>();
     for (int i = 0; i < 5'000; ++i) {
         const double v = log_between(random, 0.1, 600);

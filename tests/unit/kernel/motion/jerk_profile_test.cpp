@@ -6,6 +6,7 @@
 #include <random>
 
 #include "kernel/motion/landing.hpp"
+#include "tests/seeds.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -41,7 +42,7 @@ PathState by_feedback(const Case& c, double time, int steps) {
 }
 
 TEST(JerkProfile, LeadsWhereItSaysWithinItsLimits) {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(test_seed(1));
     for (int i = 0; i < 300'000; ++i) {
         const Case c = random_case(random);
         const SpeedProfile p = profile_to_speed(c.v, c.a, c.w, c.a_max, c.j_max);
@@ -60,7 +61,7 @@ TEST(JerkProfile, LeadsWhereItSaysWithinItsLimits) {
 }
 
 TEST(JerkProfile, IsAsFastAsAFeedbackThatKnowsNoFormula) {
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(test_seed(2));
     for (int i = 0; i < 400; ++i) {
         const Case c = random_case(random);
         const SpeedProfile p = profile_to_speed(c.v, c.a, c.w, c.a_max, c.j_max);
@@ -74,7 +75,7 @@ TEST(JerkProfile, IsAsFastAsAFeedbackThatKnowsNoFormula) {
 }
 
 TEST(JerkProfile, TicksAddUpToTheWholeProfile) {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(test_seed(3));
     for (int i = 0; i < 3'000; ++i) {
         const Case c = random_case(random);
         const SpeedProfile p = profile_to_speed(c.v, c.a, c.w, c.a_max, c.j_max);
@@ -89,7 +90,7 @@ TEST(JerkProfile, TicksAddUpToTheWholeProfile) {
 
 TEST(JerkProfile, BrakingToACrawlCanTakeLongerThanToAStop) {
     EXPECT_GT(distance_to_speed(100, 0, 10, 1000, 5000), stopping_distance(100, 0, 1000, 5000));
-    std::mt19937_64 random(4);
+    std::mt19937_64 random(test_seed(4));
     for (int i = 0; i < 100'000; ++i) {
         Case c = random_case(random);
         c.w = std::uniform_real_distribution<>(0, std::max(0.0, release_speed(c.v, c.a, c.j_max)))(random);
@@ -98,7 +99,7 @@ TEST(JerkProfile, BrakingToACrawlCanTakeLongerThanToAStop) {
 }
 
 TEST(JerkProfile, TopSpeedIsTheGreatestFromWhichTheSpeedCanBeReached) {
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(test_seed(5));
     for (int i = 0; i < 20'000; ++i) {
         const Case c = random_case(random);
         const double distance = std::exp(std::uniform_real_distribution<>(std::log(1e-4), std::log(500))(random));
@@ -114,7 +115,7 @@ TEST(JerkProfile, TopSpeedIsTheGreatestFromWhichTheSpeedCanBeReached) {
 }
 
 TEST(Landing, EndsExactlyWhereItAimed) {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(test_seed(7));
     int aimed = 0;
     for (int i = 0; i < 20'000; ++i) {
         const Case c = random_case(random);
