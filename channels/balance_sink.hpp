@@ -1,10 +1,11 @@
-// Balance cut (fanuc G68, G69 with PT_BALANCE): two turrets on opposite sides of a slender part begin each run of cuts together.
+// Balance cut (fanuc G68, G69 with PT_BALANCE): two turrets on opposite sides of a slender part
+// begin each run of cuts together.
 //
 //   channel 1   ---rapid---|==cut==cut==|--rapid--|==cut==       | a meeting of both, in front of the first cut of a run:
 //   channel 2   --rapid----|==cut==cut==|-rapid---|==cut==         on the fly where the partner is there already
 //
-// Behind compensation, so that what is inserted there belongs to the run. What slows or holds one of the two does so to both
-// while it lasts: kernel, CN_BALANCE.
+// Behind compensation, so that what is inserted there belongs to the run. What slows or holds one
+// of the two does so to both while it lasts: kernel, CN_BALANCE.
 #pragma once
 #include "channels/forwarding_sink.hpp"
 #include "ipc/image/balance.hpp"
@@ -18,7 +19,10 @@ public:
         both_ = 1u << (channel - 1) | 1u << (partner - 1);
         partner_ = partner;
     }
-    void restart() { on_ = cuts_ = false, serial_ = 0; }
+    void restart() {
+        on_ = cuts_ = false;
+        serial_ = 0;
+    }
 
     void signal(std::string_view name, double value, const BlockContext& at) override {
         if (name != "BALANCE") return next_->signal(name, value, at);
@@ -34,14 +38,22 @@ public:
         if (on_) begin(m, at);
         next_->move(m, at);
     }
-    void dwell(const Dwell& d, const BlockContext& at) override { cuts_ = false, next_->dwell(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { cuts_ = false, next_->aux(a, at); }
+    void dwell(const Dwell& d, const BlockContext& at) override {
+        cuts_ = false;
+        next_->dwell(d, at);
+    }
+    void aux(const Aux& a, const BlockContext& at) override {
+        cuts_ = false;
+        next_->aux(a, at);
+    }
 
 private:
     void begin(const Move& m, const BlockContext& at) {
-        if (at.serial < serial_) cuts_ = true;   // interpreted again from a place in the middle (a change in hold): the meeting has been
+        // interpreted again from a place in the middle (a change in hold): the meeting has been
+        if (at.serial < serial_) cuts_ = true;
         serial_ = at.serial;
-        const bool cut = m.kind == MoveKind::Linear || m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw || m.kind == MoveKind::Thread;
+        const bool cut = m.kind == MoveKind::Linear || m.kind == MoveKind::ArcCw ||
+                         m.kind == MoveKind::ArcCcw || m.kind == MoveKind::Thread;
         if (cut && !cuts_) {
             Wait meeting{kBalanceMeeting, "G68", both_};
             meeting.flying = true;

@@ -12,16 +12,21 @@ void clear_store(ChannelStore& store) {
 
 CommonOffsets common_offsets(const MachineView& view) {
     const ChannelKind kind = view.config().kind;
-    const auto count = static_cast<unsigned>(kind == ChannelKind::Mill ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
-                                                                       : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
+    const auto count = static_cast<unsigned>(
+        kind == ChannelKind::Mill
+            ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
+            : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
     if (count == 0) return {};
     for (unsigned channel = 1; channel < view.channel; ++channel)
-        if (view.machine.channel(channel).exists() && view.machine.channel(channel).kind == kind) return {count, channel};
-    return {};   // the first one of its kind owns them
+        if (view.machine.channel(channel).exists() && view.machine.channel(channel).kind == kind)
+            return {count, channel};
+    return {};  // the first one of its kind owns them
 }
 
-void take_common_offsets(ChannelStore& store, const ChannelStore& from, const CommonOffsets& common) {
-    for (std::size_t n = 1; n <= common.count && n < store.offsets.size(); ++n) store.offsets[n] = from.offsets[n];
+void take_common_offsets(ChannelStore& store, const ChannelStore& from,
+                         const CommonOffsets& common) {
+    for (std::size_t n = 1; n <= common.count && n < store.offsets.size(); ++n)
+        store.offsets[n] = from.offsets[n];
 }
 
 namespace {
@@ -73,8 +78,10 @@ bool take_routes(MachineView& view, std::span<const std::uint8_t> route) {
         if (now == axis.machine_axis) continue;
         take_drive(axis, view.machine.axis(now + 1u), view.table());
         const bool away = now != axis.home_axis;
-        axis.negated = away && params::bit(view.table(), params::n2105_composit_config, axis.home_axis + 1u, 0);
-        axis.mirrored = away && params::bit(view.table(), params::n2105_composit_config, axis.home_axis + 1u, 2);
+        axis.negated = away && params::bit(view.table(), params::n2105_composit_config,
+                                           axis.home_axis + 1u, 0);
+        axis.mirrored = away && params::bit(view.table(), params::n2105_composit_config,
+                                            axis.home_axis + 1u, 2);
         changed = true;
     }
     return changed;
@@ -91,7 +98,8 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
     view.axis_count = config.axis_count;
     view.stroke = read_channel_stroke(table, channel);
     view.names = std::make_unique<std::array<std::array<char, 4>, kChannelAxes>>();
-    for (unsigned place = 0; place < view.axis_count; ++place) take_axis(view, place, view.machine.axis(config.axes[place]));
+    for (unsigned place = 0; place < view.axis_count; ++place)
+        take_axis(view, place, view.machine.axis(config.axes[place]));
     view.shared = std::make_unique<std::array<double, 900>>();
     view.shared->fill(std::numeric_limits<double>::quiet_NaN());
     return view;

@@ -1,6 +1,7 @@
-// The machine as one channel's program sees it: its axes under their names, what the parameters say, and what the store
-// holds for it. Made at cycle start, renewed at barriers; the interpreter writes into `store` what its program writes, so
-// that it sees its own values at once (architecture 5.4).
+// The machine as one channel's program sees it: its axes under their names, what the parameters
+// say, and what the store holds for it. Made at cycle start, renewed at barriers; the interpreter
+// writes into `store` what its program writes, so that it sees its own values at once (architecture
+// 5.4).
 #pragma once
 #include <memory>
 #include <span>
@@ -35,21 +36,28 @@ struct ChannelAxis {
     }
     PlaneRole role = PlaneRole::None;
     bool diameter = false, rotary = false, hypothetical = false;
-    bool offset_diameter = false;   // what a tool offset of the axis is in its table, whatever programs and displays count in (F5004 #1)
-    bool turns = false;             // it is a rotary axis, though a transformation may have it count millimetres (rotary is false then)
-    bool rolls_over = false;        // likewise
-    bool named_y = false;           // and is programmed as Y
-    bool rollover = false, rollover_shortest = false, rollover_sign_is_direction = false, rollover_reduces_increments = false;
+    // what a tool offset of the axis is in its table, whatever programs and displays count in
+    // (F5004 #1)
+    bool offset_diameter = false;
+    // it is a rotary axis, though a transformation may have it count millimetres (rotary is false
+    // then)
+    bool turns = false;
+    bool rolls_over = false;  // likewise
+    bool named_y = false;     // and is programmed as Y
+    bool rollover = false, rollover_shortest = false, rollover_sign_is_direction = false,
+         rollover_reduces_increments = false;
     double rollover_deg = 360.0;
-    double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees
-    double max_feed_mm_min = 0.0;   // N0305
-    double rapid_mm_min = 0.0;      // N0304
+    double increment = 0.001;      // smallest step that can be programmed, mm (metric) or degrees
+    double max_feed_mm_min = 0.0;  // N0305
+    double rapid_mm_min = 0.0;     // N0304
     std::array<double, 4> reference_mm{};
-    bool by_plc = true;             // the PLC may switch between radius and diameter (N0106 MGD = 0)
-    bool inverted = false;          // AP_DIARAD as of the last barrier
-    AxisStroke stroke;              // ranges that are watched
-    bool referenced = true;         // as of the last barrier
-    bool limited = false;           // an interval holds for this axis by itself, as of the last barrier:
+    // the PLC may switch between radius and diameter (N0106 MGD = 0)
+    bool by_plc = true;
+    bool inverted = false;   // AP_DIARAD as of the last barrier
+    AxisStroke stroke;       // ranges that are watched
+    bool referenced = true;  // as of the last barrier
+    // an interval holds for this axis by itself, as of the last barrier:
+    bool limited = false;
     double limit_max = 0.0, limit_min = 0.0;
 };
 
@@ -60,37 +68,54 @@ struct MachineView {
     std::unique_ptr<ChannelStore> store;
     std::array<ChannelAxis, kChannelAxes> axes;
     unsigned axis_count = 0;
-    std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;   // stays where it is when the view is moved
+    // stays where it is when the view is moved
+    std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;
     ChannelStroke stroke;
-    // Variables that all channels share, as of the last barrier: #100.. and #500.. by number less 100. NaN is empty.
+    // Variables that all channels share, as of the last barrier: #100.. and #500.. by number less
+    // 100. NaN is empty.
     std::unique_ptr<std::array<double, 900>> shared;
-    AxisSet own_programs = 0;       // axes that only programs of their own move, which other channels may have as well (fanuc F8250 = 3)
+    // axes that only programs of their own move, which other channels may have as well (fanuc F8250
+    // = 3)
+    AxisSet own_programs = 0;
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
     bool tables_in_radius = false;  // zero offsets of diameter axes are kept as radii (fagor)
 
     const ChannelConfig& config() const { return machine.channel(channel); }
     const params::Table& table() const { return *parameters; }
-    int axis_by_role(PlaneRole role) const;          // place; -1 none
-    int axis_by_name(std::string_view name) const;   // place; -1 none
+    int axis_by_role(PlaneRole role) const;         // place; -1 none
+    int axis_by_name(std::string_view name) const;  // place; -1 none
     // True millimetres from what a screen or a table of zeros shows on that axis.
-    double from_shown(unsigned place, double value) const { return axes[place].diameter ? value * 0.5 : value; }
-    double from_table(unsigned place, double value) const { return tables_in_radius ? value : from_shown(place, value); }
-    double to_shown(unsigned place, double value) const { return axes[place].diameter ? value * 2.0 : value; }
+    double from_shown(unsigned place, double value) const {
+        return axes[place].diameter ? value * 0.5 : value;
+    }
+    double from_table(unsigned place, double value) const {
+        return tables_in_radius ? value : from_shown(place, value);
+    }
+    double to_shown(unsigned place, double value) const {
+        return axes[place].diameter ? value * 2.0 : value;
+    }
     // Tool offsets of the tables.
-    double from_offset(unsigned place, double value) const { return axes[place].offset_diameter ? value * 0.5 : value; }
-    double to_offset(unsigned place, double value) const { return axes[place].offset_diameter ? value * 2.0 : value; }
+    double from_offset(unsigned place, double value) const {
+        return axes[place].offset_diameter ? value * 0.5 : value;
+    }
+    double to_offset(unsigned place, double value) const {
+        return axes[place].offset_diameter ? value * 2.0 : value;
+    }
 };
 
-// N1401, N1412: how many offsets, from number 1 on, all channels of this one's kind have in common, and in whose table.
+// N1401, N1412: how many offsets, from number 1 on, all channels of this one's kind have in common,
+// and in whose table.
 struct CommonOffsets {
     unsigned count = 0, channel = 0;
 };
 CommonOffsets common_offsets(const MachineView& view);
-void take_common_offsets(ChannelStore& store, const ChannelStore& from, const CommonOffsets& common);
+void take_common_offsets(ChannelStore& store, const ChannelStore& from,
+                         const CommonOffsets& common);
 
-// `channel` must exist in the machine (config().exists()); the store begins empty: zeros, variables null.
-// Which drives are behind the addresses: `route` by machine axis (from 0), 0 its own, else that axis (from 1) in its place.
-// True: something has changed.
+// `channel` must exist in the machine (config().exists()); the store begins empty: zeros, variables
+// null.
+// Which drives are behind the addresses: `route` by machine axis (from 0), 0 its own, else that
+// axis (from 1) in its place. True: something has changed.
 bool take_routes(MachineView& view, std::span<const std::uint8_t> route);
 MachineView make_machine_view(const params::Table& table, unsigned channel);
 // An axis of another channel (number from 1) gets the next place. False: there is none left.

@@ -1,4 +1,5 @@
-// What the setup enters into a language before its program runs: variables and tools. The same in check and run mode.
+// What the setup enters into a language before its program runs: variables and tools. The same in
+// check and run mode.
 #pragma once
 #include "channels/language.hpp"
 #include "ipc/text/setup.hpp"

@@ -43,7 +43,10 @@ std::optional<std::int64_t> number_of_text(const std::string& path) {
         if (first != 'O' && first != 'o' && first != ':') continue;
         std::int64_t number = 0;
         std::size_t digits = 0;
-        for (++at; at < line.size() && std::isdigit(static_cast<unsigned char>(line[at])) && digits < 9; ++at, ++digits) number = number * 10 + (line[at] - '0');
+        for (++at;
+             at < line.size() && std::isdigit(static_cast<unsigned char>(line[at])) && digits < 9;
+             ++at, ++digits)
+            number = number * 10 + (line[at] - '0');
         if (digits) return number;
     }
     return std::nullopt;
@@ -78,7 +81,8 @@ std::optional<FileId> ProgramFiles::open_if(const std::string& path) {
 std::optional<FileId> ProgramFiles::find_number(std::int64_t number) {
     if (const auto known = by_number_.find(number); known != by_number_.end()) return known->second;
     const auto found = search_number(number);
-    if (found) by_number_.emplace(number, *found);   // it stays open; what is missing may still come
+    // it stays open; what is missing may still come
+    if (found) by_number_.emplace(number, *found);
     return found;
 }
 
@@ -98,19 +102,24 @@ std::optional<FileId> ProgramFiles::search_folder(const std::string& folder, std
     for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
         const std::string path = entry.path().string();
         const std::string name = upper(entry.path().filename().string());
-        if (!name.empty() && name[0] == 'O' && number_of_name(path) == number && entry.is_regular_file(error)) found.push_back(path);
+        if (!name.empty() && name[0] == 'O' && number_of_name(path) == number &&
+            entry.is_regular_file(error))
+            found.push_back(path);
     }
-    std::sort(found.begin(), found.end());   // the same file on every computer
+    std::sort(found.begin(), found.end());  // the same file on every computer
     return found.empty() ? std::nullopt : open_if(found.front());
 }
 
-std::optional<FileId> ProgramFiles::find_number_in(const std::string& folder, std::int64_t number) { return search_folder(folder, number); }
+std::optional<FileId> ProgramFiles::find_number_in(const std::string& folder, std::int64_t number) {
+    return search_folder(folder, number);
+}
 
 void ProgramFiles::add_folders(std::string_view list, const std::string& from) {
     while (!list.empty()) {
         const std::size_t colon = list.find(':');
         const std::string_view one = list.substr(0, colon);
-        if (!one.empty()) folders_.push_back((fs::path(from) / one).string());   // an absolute path stands for itself
+        // an absolute path stands for itself
+        if (!one.empty()) folders_.push_back((fs::path(from) / one).string());
         list = colon == std::string_view::npos ? std::string_view{} : list.substr(colon + 1);
     }
 }
@@ -127,7 +136,9 @@ const std::vector<std::string>& ProgramFiles::memory(std::string_view extension)
         std::error_code error;
         std::vector<std::string> found;
         for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
-            if (entry.is_regular_file(error) && upper(entry.path().extension().string()) == extension) found.push_back(entry.path().string());
+            if (entry.is_regular_file(error) &&
+                upper(entry.path().extension().string()) == extension)
+                found.push_back(entry.path().string());
         std::sort(found.begin(), found.end());
         memory_.insert(memory_.end(), found.begin(), found.end());
     }
@@ -140,20 +151,27 @@ std::optional<FileId> ProgramFiles::find_number(std::int64_t number, std::string
     return std::nullopt;
 }
 
-std::size_t ProgramFiles::memory_count(std::string_view extension) { return memory(extension).size(); }
+std::size_t ProgramFiles::memory_count(std::string_view extension) {
+    return memory(extension).size();
+}
 
-std::optional<FileId> ProgramFiles::memory_file(std::string_view extension, std::size_t index) { return open_if(memory(extension)[index]); }
+std::optional<FileId> ProgramFiles::memory_file(std::string_view extension, std::size_t index) {
+    return open_if(memory(extension)[index]);
+}
 
 std::optional<FileId> ProgramFiles::find_name(std::string_view name) {
     const std::string want = upper(name);
-    const auto fits = [&](const fs::path& path) { return upper(path.filename().string()) == want || upper(path.stem().string()) == want; };
+    const auto fits = [&](const fs::path& path) {
+        return upper(path.filename().string()) == want || upper(path.stem().string()) == want;
+    };
     for (const std::string& path : library_)
         if (fits(path)) return open_if(path);
     for (const std::string& folder : folders_) {
         std::error_code error;
         std::vector<std::string> found;
         for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
-            if (entry.is_regular_file(error) && fits(entry.path())) found.push_back(entry.path().string());
+            if (entry.is_regular_file(error) && fits(entry.path()))
+                found.push_back(entry.path().string());
         std::sort(found.begin(), found.end());
         if (!found.empty()) return open_if(found.front());
     }

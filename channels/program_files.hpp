@@ -1,5 +1,5 @@
-// The program files that a channel can reach, under their names and numbers. A file is opened when it is first needed and
-// stays open; its number goes into records and events.
+// The program files that a channel can reach, under their names and numbers. A file is opened when
+// it is first needed and stays open; its number goes into records and events.
 #pragma once
 #include <map>
 #include <memory>
@@ -23,20 +23,25 @@ public:
     // More folders, with : between; relative ones begin at `from`.
     void add_folders(std::string_view list, const std::string& from);
 
-    // Programs that programs write are kept in this folder; without one they live as long as the run.
+    // Programs that programs write are kept in this folder; without one they live as long as the
+    // run.
     void keep_in(const std::string& folder) { kept_ = folder; }
     bool keeps() const { return !kept_.empty(); }
     // The whole text or nothing is there afterwards. False: it could not be written.
     bool keep(const std::string& name, std::string_view text);
 
     Result<FileId> open(const std::string& path);
-    Result<FileId> open_text(std::string_view text, std::string_view name);   // the text must outlive this
-    // The file of program `number`: a library file or a file of the folders whose name or first O word says so.
+    // the text must outlive this
+    Result<FileId> open_text(std::string_view text, std::string_view name);
+    // The file of program `number`: a library file or a file of the folders whose name or first O
+    // word says so.
     std::optional<FileId> find_number(std::int64_t number);
-    // Likewise, and files of the folders whose name is the number with this extension (fagor: 000611.PIT).
+    // Likewise, and files of the folders whose name is the number with this extension (fagor:
+    // 000611.PIT).
     std::optional<FileId> find_number(std::int64_t number, std::string_view extension);
     std::size_t library_count() const { return library_.size(); }
-    // All library files, then all files of the folders with this extension, in the order of their names.
+    // All library files, then all files of the folders with this extension, in the order of their
+    // names.
     std::size_t memory_count(std::string_view extension);
     std::optional<FileId> memory_file(std::string_view extension, std::size_t index);
     // Likewise, in this folder only.
@@ -61,8 +66,8 @@ private:
     std::vector<std::unique_ptr<File>> files_;
     std::vector<std::string> library_, folders_;
     std::string kept_;
-    std::map<std::int64_t, FileId> by_number_;   // what find_number() has found
-    std::vector<std::string> memory_;     // what memory() has found, for the extension memory_of_
+    std::map<std::int64_t, FileId> by_number_;  // what find_number() has found
+    std::vector<std::string> memory_;  // what memory() has found, for the extension memory_of_
     std::string memory_of_;
 };
 

@@ -1,6 +1,8 @@
-// How a program says which programs other channels shall run: the names of two signals (Sink::signal).
+// How a program says which programs other channels shall run: the names of two signals
+// (Sink::signal).
 //   SELECT <channel> <file>   that channel runs this file when it is started next
-//   START                     value: set of channels (bit 0 is channel 1) whose selected programs begin
+//   START                     value: set of channels (bit 0 is channel 1) whose selected programs
+//                             begin
 #pragma once
 #include <charconv>
 #include <optional>

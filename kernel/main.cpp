@@ -10,24 +10,27 @@
 #include <thread>
 #include <vector>
 
-#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/bodies/room.hpp"
 #include "ipc/machine/drive_sources.hpp"
-#include "ipc/machine/room.hpp"
+#include "ipc/machine/errors/compensation_tables.hpp"
 #include "ipc/memory/life_line.hpp"
 #include "ipc/memory/segment.hpp"
-#include "kernel/cyclic/attach.hpp"
-#include "kernel/cyclic/clock_real.hpp"
-#include "kernel/cyclic/clock_virtual.hpp"
-#include "kernel/cyclic/table_watch.hpp"
+#include "kernel/tick/attach.hpp"
+#include "kernel/tick/clock_real.hpp"
+#include "kernel/tick/clock_virtual.hpp"
+#include "kernel/tick/table_watch.hpp"
 
 namespace {
 using namespace polyturn;
 
-constexpr auto kPatience = std::chrono::seconds(30);
-std::atomic<bool> alone{false};   // the supervisor has died, or somebody has told this process to end: the machine stops in order, then it ends
+constexpr auto kTimeout = std::chrono::seconds(30);
+// the supervisor has died, or somebody has told this process to end: the machine stops in order,
+// then it ends
+std::atomic<bool> alone{false};
 
-// Of nobody else's business any more: what the supervisor has started and cannot end. Ours end by themselves (life_line.hpp), unless somebody has
-// stopped them; drives of a machine builder's own do not.
+// Of nobody else's business any more: what the supervisor has started and cannot end. Ours end by
+// themselves (life_line.hpp), unless somebody has stopped them; drives of a machine builder's own
+// do not.
 void end_the_others(const SupervisorSegment& supervisor) {
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const int pid = supervisor.processes[slot].pid;
@@ -43,7 +46,8 @@ int fail(const Diagnosis& diagnosis) {
 }
 
 // What PT_DRIVE and PT_SPINDLE_DRIVE ask for beside the simulated drives.
-Result<void> take_drives(kernel::Machine& machine, const std::string& instance, const SupervisorSegment& supervisor) {
+Result<void> take_drives(kernel::Machine& machine, const std::string& instance,
+                         const SupervisorSegment& supervisor) {
     const params::Table& table = machine.core().table;
     const DriveSources wanted = wanted_drives(table);
     const PolyturnDriveApi* library = nullptr;
@@ -64,9 +68,9 @@ Result<void> take_drives(kernel::Machine& machine, const std::string& instance, 
 }
 
 int run(const std::string& instance) {
-    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kPatience);
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kTimeout);
     if (!supervisor) return fail(supervisor.diagnosis());
-    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kTimeout);
     if (!store) return fail(store.diagnosis());
     auto own = OwnSegment<KernelSegment>::create(instance, (*supervisor)->header.generation);
     if (!own) return fail(own.diagnosis());
@@ -74,36 +78,51 @@ int run(const std::string& instance) {
     const auto machine = std::make_unique<kernel::Machine>(**own, **supervisor, **store);
     while (!(*store)->parameters.read(machine->core().table)) {}
     if (const std::string base = (*supervisor)->options.machine_folder.data(); !base.empty()) {
-        std::vector<Diagnosis> diagnoses;   // said by whoever read the machine before us
+        std::vector<Diagnosis> diagnoses;  // said by whoever read the machine before us
         machine->take_tables(load_compensation(base + ".compensation", diagnoses));
         const MachineConfig derived = derive_machine_config(machine->core().table);
         std::error_code none;
         const std::string room = base + ".toml";
-        machine->take_room(load_room(std::filesystem::exists(room, none) ? room : std::string(), derived, diagnoses), derived);
+        machine->take_room(load_room(std::filesystem::exists(room, none) ? room : std::string(),
+                                     derived, diagnoses),
+                           derived);
     }
-    if (auto taken = take_drives(*machine, instance, **supervisor); !taken) return fail(taken.diagnosis());
-    if (const auto shapes = std::make_unique<kernel::ToolShapes>(); kernel::read_tool_shapes(**store, *shapes)) machine->take_tool_shapes(*shapes);
+    if (auto taken = take_drives(*machine, instance, **supervisor); !taken)
+        return fail(taken.diagnosis());
+    if (const auto shapes = std::make_unique<kernel::ToolShapes>();
+        kernel::read_tool_shapes(**store, *shapes))
+        machine->take_tool_shapes(*shapes);
     machine->start();
     own->publish();
     when_supervisor_dies([] { alone = true; });
-    struct sigaction told{};
+    struct sigaction told {};
     told.sa_handler = [](int) { alone = true; };
     sigaction(SIGTERM, &told, nullptr);
     kernel::Peers peers(instance, **supervisor);
     peers.attach_all(*machine, alone);
-    if (kernel::SegmentDrives* drives = machine->segment_drives(); drives && !drives->attach(machine->core().config.tick_ns, kPatience)) machine->core().alarm(Alarm::DriveMissing, 0, "the process of the drives");
+    if (kernel::SegmentDrives* drives = machine->segment_drives();
+        drives && !drives->attach(machine->core().config.tick_ns, kTimeout))
+        machine->core().alarm(Alarm::DriveMissing, 0, "the process of the drives");
 
     if ((*supervisor)->options.virtual_time) {
         kernel::VirtualClock clock(*machine, &peers, &alone);
         clock.run();
     } else {
         std::atomic<bool> stop{false};
-        kernel::TableWatch tables(std::string((*supervisor)->options.machine_folder.data()) + ".compensation", **store, machine->core());
-        std::thread table_watcher([&] { if ((*supervisor)->options.machine_folder[0]) tables.run(stop); });
-        std::thread watcher([&] { peers.watch(*machine, stop); });  // before the priority is raised: it keeps the ordinary one
+        kernel::TableWatch tables(
+            std::string((*supervisor)->options.machine_folder.data()) + ".compensation", **store,
+            machine->core());
+        std::thread table_watcher([&] {
+            if ((*supervisor)->options.machine_folder[0]) tables.run(stop);
+        });
+        // before the priority is raised: it keeps the ordinary one
+        std::thread watcher([&] { peers.watch(*machine, stop); });
         kernel::RealClock clock(*machine, alone);
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
-            std::fprintf(stderr, "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n", refused.c_str());
+            std::fprintf(
+                stderr,
+                "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n",
+                refused.c_str());
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
         }
         clock.run();
@@ -118,7 +137,10 @@ int run(const std::string& instance) {
 
 int main(int argc, char** argv) {
     if (argc != 3 || std::strcmp(argv[1], "--instance") != 0 || !valid_instance(argv[2])) {
-        std::fprintf(stderr, "usage: polyturn-kernel --instance NAME\n  The cyclic process of a controller; polyturn start and polyturn run start it.\n");
+        std::fprintf(
+            stderr,
+            "usage: polyturn-kernel --instance NAME\n"
+            "  The cyclic process of a controller; polyturn start and polyturn run start it.\n");
         return argc == 2 && std::strcmp(argv[1], "--help") == 0 ? 0 : 2;
     }
     return run(argv[2]);

@@ -1,4 +1,5 @@
-// Properties (RapidCheck) with a seed that is fixed in the first run and new in the second: see tests/seeds.hpp.
+// Properties (RapidCheck) with a seed that is fixed in the first run and new in the second: see
+// tests/seeds.hpp.
 #pragma once
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,12 +11,12 @@
 #include "tests/seeds.hpp"
 
 // As RC_GTEST_PROP, which is not used: its seed would be another one each time and kept nowhere.
-#define PROPERTY(Suite, Name, Arguments)                            \
-    void property_##Suite##_##Name Arguments;                       \
-    TEST(Suite, Name) {                                             \
-        test_seed(2026);                                            \
-        ::rc::detail::checkGTest(&property_##Suite##_##Name);       \
-    }                                                               \
+#define PROPERTY(Suite, Name, Arguments)                      \
+    void property_##Suite##_##Name Arguments;                 \
+    TEST(Suite, Name) {                                       \
+        test_seed(2026);                                      \
+        ::rc::detail::checkGTest(&property_##Suite##_##Name); \
+    }                                                         \
     void property_##Suite##_##Name Arguments
 
 // As rc::check, within a test: false when a counterexample was found.

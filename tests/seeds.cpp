@@ -47,7 +47,8 @@ std::string current_name() {
 
 // Runs these tests of this program with this seed; its exit status.
 int run_again(const std::string& filter, std::uint64_t seed) {
-    std::printf("random tests once more: %s=%llu\n", kVariable, static_cast<unsigned long long>(seed));
+    std::printf("random tests once more: %s=%llu\n", kVariable,
+                static_cast<unsigned long long>(seed));
     std::fflush(nullptr);
     ::setenv(kVariable, std::to_string(seed).c_str(), 1);
     ::unsetenv("RC_PARAMS");
@@ -57,11 +58,17 @@ int run_again(const std::string& filter, std::uint64_t seed) {
     const int refused = ::posix_spawn(&child, "/proc/self/exe", nullptr, nullptr, words, environ);
     ::unsetenv(kVariable);
     int status = 1;
-    if (refused != 0) return std::printf("%s does not start again: error %d\n", filter.c_str(), refused), 1;
+    if (refused != 0) {
+        std::printf("%s does not start again: error %d\n", filter.c_str(), refused);
+        return 1;
+    }
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return 0;
-    std::printf("%s=%llu found a fault; repeat it with that variable and\n    --gtest_filter=%s\nand write \"SUITE.TEST %llu\" into tests%s: then it is tried in each run\n", kVariable,
-                static_cast<unsigned long long>(seed), filter.c_str(), static_cast<unsigned long long>(seed), kFound + 6);
+    std::printf(
+        "%s=%llu found a fault; repeat it with that variable and\n"
+        "    --gtest_filter=%s\nand write \"SUITE.TEST %llu\" into tests%s: then it is tried in each run\n",
+        kVariable, static_cast<unsigned long long>(seed), filter.c_str(),
+        static_cast<unsigned long long>(seed), kFound + 6);
     return 1;
 }
 
@@ -70,11 +77,13 @@ int run_again(const std::string& filter, std::uint64_t seed) {
 std::uint64_t test_seed(std::uint64_t fixed) {
     const std::uint64_t base = given();
     if (const std::string name = current_name(); !name.empty() && asked().insert(name).second) {
-        if (base != 0) std::printf("seed %llu (%s)\n", static_cast<unsigned long long>(base), kVariable);
-        else std::printf("seed %llu, its fixed one\n", static_cast<unsigned long long>(fixed));
+        if (base != 0)
+            std::printf("seed %llu (%s)\n", static_cast<unsigned long long>(base), kVariable);
+        else
+            std::printf("seed %llu, its fixed one\n", static_cast<unsigned long long>(fixed));
     }
     if (base == 0) return fixed;
-    return mixed(base + mixed(fixed)) & 0xffff'ffffu;   // 32 bits: for every engine of the library
+    return mixed(base + mixed(fixed)) & 0xffff'ffffu;  // 32 bits: for every engine of the library
 }
 
 int run_tests_with_seeds() {

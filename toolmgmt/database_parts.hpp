@@ -14,17 +14,17 @@
 namespace polyturn::toolmgmt {
 
 struct Database::Parts {
-    static constexpr int kFoldAt = 500;      // frames of the log, about 2 MB
+    static constexpr int kFoldAt = 500;  // frames of the log, about 2 MB
 
     sqlite3* db = nullptr;
     std::string path, folder;
     OpenFile lock;
-    std::optional<WitnessFile> witness;      // nothing: a copy in memory promises nothing
+    std::optional<WitnessFile> witness;  // nothing: a copy in memory promises nothing
     PageSums sums;
-    std::uint64_t store = 0, commits = 0;    // as the file's table «promise» has them
-    int log_frames = 0;                      // in the log, not in the main file
-    bool folds = false;                      // the sums are known
-    bool told = false;                       // that the witness cannot be written
+    std::uint64_t store = 0, commits = 0;  // as the file's table «promise» has them
+    int log_frames = 0;                    // in the log, not in the main file
+    bool folds = false;                    // the sums are known
+    bool told = false;                     // that the witness cannot be written
     Condition condition;
     ~Parts() {
         if (db) (void)fold();
@@ -36,10 +36,13 @@ struct Database::Parts {
     Diagnosis open_fault() const {
         switch (sqlite3_errcode(db) & 0xff) {
             case SQLITE_NOTADB:
-            case SQLITE_CORRUPT: return fault(Alarm::StoreDamaged);
+            case SQLITE_CORRUPT:
+                return fault(Alarm::StoreDamaged);
             case SQLITE_BUSY:
-            case SQLITE_LOCKED: return fault(Alarm::StoreBusy);
-            default: return fault(Alarm::StoreOpen);
+            case SQLITE_LOCKED:
+                return fault(Alarm::StoreBusy);
+            default:
+                return fault(Alarm::StoreOpen);
         }
     }
     // Ends a transaction: on disk, counted, and the witness knows of it.

@@ -10,7 +10,8 @@
 namespace polyturn::toolmgmt {
 namespace {
 
-// Step n leads from version n to n + 1. A step that was released is never edited: files in the field went through it.
+// Step n leads from version n to n + 1. A step that was released is never edited: files in the
+// field went through it.
 constexpr std::array kSteps = {
     R"sql(
     CREATE TABLE migrations(version INTEGER PRIMARY KEY, utc TEXT NOT NULL);
@@ -28,7 +29,8 @@ constexpr std::array kSteps = {
                            PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
     CREATE TABLE history(id INTEGER PRIMARY KEY, utc TEXT NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL, old TEXT, new TEXT);
     )sql",
-    // Tools, edges, places, users and the like: a row for each value that was entered, its column by name.
+    // Tools, edges, places, users and the like: a row for each value that was entered, its column
+    // by name.
     R"sql(
     CREATE TABLE records(kind TEXT NOT NULL, scope INTEGER NOT NULL, number INTEGER NOT NULL, field TEXT NOT NULL, value REAL, text TEXT,
                          PRIMARY KEY(kind, scope, number, field)) WITHOUT ROWID;
@@ -39,9 +41,10 @@ constexpr std::array kSteps = {
     CREATE TABLE IF NOT EXISTS stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
                        PRIMARY KEY(utc, channel)) WITHOUT ROWID;
     )sql",
-    // What machine and programs have refused or warned of, as events tell it. And indexes for a million rows of history, of which screens
-    // ask for one value, for all parameters, for what people entered as offsets: history_query() has the same conditions word for word,
-    // or the partial ones are not used (tests/unit/toolmgmt/history_plan_test.cpp).
+    // What machine and programs have refused or warned of, as events tell it. And indexes for a
+    // million rows of history, of which screens ask for one value, for all parameters, for what
+    // people entered as offsets: history_query() has the same conditions word for word, or the
+    // partial ones are not used (tests/unit/toolmgmt/history_plan_test.cpp).
     R"sql(
     CREATE TABLE IF NOT EXISTS alarms(id INTEGER PRIMARY KEY, utc TEXT NOT NULL, event TEXT NOT NULL);
     CREATE INDEX IF NOT EXISTS history_what ON history(what, utc);

@@ -9,10 +9,12 @@ namespace polyturn::toolmgmt {
 
 // Which step of the schema the file is at; 0 for an empty one, -1 when it cannot be read.
 int schema_version(sqlite3* db);
-// Applies every step that the file lacks, in one transaction. False when SQLite refuses; its message is then the reason.
+// Applies every step that the file lacks, in one transaction. False when SQLite refuses; its
+// message is then the reason.
 bool migrate(sqlite3* db);
 int newest_schema_version();
-inline constexpr int kPromises = 6;   // from this version on the file counts what it has acknowledged
+// from this version on the file counts what it has acknowledged
+inline constexpr int kPromises = 6;
 
 // "2026-01-31T12:34:56.789Z"
 std::string utc_now();

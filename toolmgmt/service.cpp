@@ -7,8 +7,8 @@
 #include <cstring>
 #include <utility>
 
-#include "ipc/image/store_news.hpp"
-#include "ipc/machine/config_check.hpp"
+#include "ipc/image/store_changes.hpp"
+#include "ipc/machine/check/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
@@ -20,13 +20,15 @@
 namespace polyturn::toolmgmt {
 namespace {
 
-constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
-constexpr std::chrono::seconds kRetry{1};      // after the disk refused
-constexpr unsigned kMostTries = 5;               // of one request of fixed fields, before it counts as what kills its readers
+constexpr std::uint64_t kMostPerStep = 1024;  // persist requests before somebody else is looked at
+constexpr std::chrono::seconds kRetry{1};     // after the disk refused
+// of one request of fixed fields, before it counts as what kills its readers
+constexpr unsigned kMostTries = 5;
 constexpr const char* kKilled = "the store died when it read this request; it is not read again";
 constexpr std::size_t kMostImportLines = 100'000;
 constexpr std::size_t kAnswerPiece = sizeof(StoreAnswer{}.text) - 1;
-constexpr std::size_t kMostAtOnce = 4096;      // changes that the kernel takes in one tick; its ring holds twice as many
+// changes that the kernel takes in one tick; its ring holds twice as many
+constexpr std::size_t kMostAtOnce = 4096;
 
 void copy_text(auto& to, std::string_view from) {
     to.fill(0);
@@ -34,7 +36,8 @@ void copy_text(auto& to, std::string_view from) {
 }
 
 std::string one_line(const Diagnosis& diagnosis) {
-    return std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn)) + " " + diagnosis.text() + ". " + std::string(diagnosis.remedy());
+    return std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn)) + " " + diagnosis.text() +
+           ". " + std::string(diagnosis.remedy());
 }
 
 }  // namespace
@@ -49,26 +52,40 @@ void Service::tell_not_kept(const Diagnosis& why) {
     (void)image_.push(message, kernel_->tool_tail.tail.load(std::memory_order_acquire));
 }
 
-Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files)
-    : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
-      machine_(derive_machine_config(values.parameters)), files_(std::move(files)), places_(std::make_unique<ToolPlaceTable>()), logins_(std::make_unique<LoginLimit>()) {
-    if (!disk_ && image_.taken_over()) {   // the image is all that there is
+Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image,
+                 StoreValues& values, Database* disk, Files files)
+    : instance_(std::move(instance)),
+      supervisor_(std::move(supervisor)),
+      image_(std::move(image)),
+      values_(values),
+      disk_(disk),
+      machine_(derive_machine_config(values.parameters)),
+      files_(std::move(files)),
+      places_(std::make_unique<ToolPlaceTable>()),
+      logins_(std::make_unique<LoginLimit>()) {
+    if (!disk_ && image_.taken_over()) {  // the image is all that there is
         image_.read_into(values_);
         machine_ = derive_machine_config(values_.parameters);
     }
     pending_index_ = image_.segment().persist_tail.tail.load();
     replay_from_ = image_.replay_from();
-    // The transaction may have been the last thing that the predecessor did: the file knows better than its image.
-    if (const Cell* done = values_.cell({Kind::Setting, 0, 0, 0, "persist"}); done && image_.taken_over()) {
+    // The transaction may have been the last thing that the predecessor did: the file knows better
+    // than its image.
+    if (const Cell* done = values_.cell({Kind::Setting, 0, 0, 0, "persist"});
+        done && image_.taken_over()) {
         const std::string own = std::to_string(supervisor_->processes[kProcessKernel].pid) + ":";
-        if (done->text.rfind(own, 0) == 0) replay_from_ = std::max<std::uint64_t>(replay_from_, std::strtoull(done->text.c_str() + own.size(), nullptr, 10));
+        if (done->text.rfind(own, 0) == 0)
+            replay_from_ = std::max<std::uint64_t>(
+                replay_from_, std::strtoull(done->text.c_str() + own.size(), nullptr, 10));
     }
     look_at_condition();
-    tell_condition();   // before the kernel is there, it reads it in its first tick
+    tell_condition();  // before the kernel is there, it reads it in its first tick
     look_for_kernel();
-    // Before anything is shown: the predecessor showed these values, and they must not seem to go back.
+    // Before anything is shown: the predecessor showed these values, and they must not seem to go
+    // back.
     replay();
-    // Zeros that hold until power-off are in the image only, and the machine may be cutting by them.
+    // Zeros that hold until power-off are in the image only, and the machine may be cutting by
+    // them.
     if (disk_ && image_.taken_over()) image_.read_zeros_into(values_);
     derive_places(values_, *places_);
     image_.publish_all(values_);
@@ -78,9 +95,10 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
 // A predecessor that died between taking a request and its answer: whoever waits for it hears that.
 void Service::answer_what_was_begun() {
     StoreSegment& own = image_.segment();
-    const auto head = own.answers.head.load(std::memory_order_relaxed), tail = own.request_tail.tail.load(std::memory_order_relaxed);
+    const auto head = own.answers.head.load(std::memory_order_relaxed),
+               tail = own.request_tail.tail.load(std::memory_order_relaxed);
     if (!image_.taken_over()) return;
-    if (head > 0 && own.answers.slot(head - 1).more != 0) {   // its end is missing
+    if (head > 0 && own.answers.slot(head - 1).more != 0) {  // its end is missing
         StoreAnswer end{};
         end.id = own.answers.slot(head - 1).id;
         end.ok = 1;
@@ -88,7 +106,9 @@ void Service::answer_what_was_begun() {
     }
     if (tail == 0) return;
     StoreRequest request = supervisor_->requests.slot(tail - 1);
-    if (static_cast<StoreRequestKind>(request.kind) != StoreRequestKind::Operation || begun_before(request.id) == 0) return;
+    if (static_cast<StoreRequestKind>(request.kind) != StoreRequestKind::Operation ||
+        begun_before(request.id) == 0)
+        return;
     push_answer(request.id, refuse_begun(request));
 }
 
@@ -116,20 +136,23 @@ bool Service::step() {
     tell_condition();
     const auto now = Clock::now();
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
-        const bool known = !disk_refuses_.empty();   // said once
+        const bool known = !disk_refuses_.empty();  // said once
         if (const Result<void> done = commit_pending({}, "program"); !done) {
             if (!known) tell_not_kept(done.diagnosis());
             next_try_ = now + kRetry;
         }
         worked = true;
     }
-    if (worked) quiet_since_ = now;
-    else fold_when_idle();
+    if (worked)
+        quiet_since_ = now;
+    else
+        fold_when_idle();
     return worked;
 }
 
 void Service::wait() {
-    std::int64_t timeout_us = kernel_.attached() ? 100'000 : 4'000;   // a new kernel rings no bell of ours
+    // a new kernel rings no bell of ours
+    std::int64_t timeout_us = kernel_.attached() ? 100'000 : 4'000;
     if (!pending_.empty()) timeout_us = 5'000;
     if (!out_.empty()) timeout_us = 1'000;
     std::array<Watched, 2> bells{{{&supervisor_->store_bell, supervisor_seen_}, {nullptr, 0}}};
@@ -139,13 +162,14 @@ void Service::wait() {
 }
 
 void Service::finish() {
-    for (int i = 0; i < 1000 && step(); ++i) {}   // the kernel may have said its last words since
+    for (int i = 0; i < 1000 && step(); ++i) {}  // the kernel may have said its last words since
     if (pending_.empty()) return;
     if (const Result<void> done = commit_pending({}, "program"); !done)
         std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
 }
 
-// A kernel that is started anew has a new segment under the old name: the supervisor's table says which one lives.
+// A kernel that is started anew has a new segment under the old name: the supervisor's table says
+// which one lives.
 void Service::look_for_kernel() {
     const std::int32_t pid = supervisor_->processes[kProcessKernel].pid;
     if (pid <= 0 || (kernel_.attached() && kernel_->header.writer_pid == pid)) return;
@@ -153,24 +177,26 @@ void Service::look_for_kernel() {
     if (!fresh || (*fresh)->header.writer_pid != pid) return;
     StoreSegment& own = image_.segment();
     if (kernel_.attached()) {
-        while (take_persist()) {}   // what the dead one pushed is final and still counts
+        while (take_persist()) {}  // what the dead one pushed is final and still counts
         commit_pending({}, "program").ok();
         own.persist_tail.tail.store(0, std::memory_order_release);
         own.on_disk.store(0, std::memory_order_release);
         replay_from_ = 0;
-    } else if (own.persist_tail.tail.load() > (*fresh)->persist.head.load(std::memory_order_acquire)) {
+    } else if (own.persist_tail.tail.load() >
+               (*fresh)->persist.head.load(std::memory_order_acquire)) {
         // Store and kernel were both replaced: this is not the ring that the predecessor read.
         own.persist_tail.tail.store(0, std::memory_order_release);
         own.on_disk.store(0, std::memory_order_release);
         replay_from_ = 0;
     }
     kernel_ = std::move(*fresh);
-    told_ = !unfit_;   // a new one has heard nothing
+    told_ = !unfit_;  // a new one has heard nothing
     pending_index_ = own.persist_tail.tail.load();
 }
 
-// What the predecessor had taken into its image but not to the disk: the kernel's ring still holds it unless the kernel
-// has gone round since. A slot counts when the kernel has not come to it again after it was read.
+// What the predecessor had taken into its image but not to the disk: the kernel's ring still holds
+// it unless the kernel has gone round since. A slot counts when the kernel has not come to it again
+// after it was read.
 void Service::replay() {
     StoreSegment& own = image_.segment();
     const auto tail = own.persist_tail.tail.load();
@@ -181,10 +207,13 @@ void Service::replay() {
         const StoreRequest request = kernel_->persist.slot(index);
         std::atomic_thread_fence(std::memory_order_acquire);
         if (kernel_->persist.head.load(std::memory_order_acquire) >= index + kCapacity) continue;
-        if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) continue;   // answered before its tail moved
-        Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
+        // answered before its tail moved
+        if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) continue;
+        Result<Applied> applied = is_tool_request(request)
+                                      ? apply_tool_request(request, values_)
+                                      : apply_request(request, Origin::Program, machine_, values_);
         if (!applied) continue;
-        if (applied->until_power_off) continue;   // the image has it
+        if (applied->until_power_off) continue;  // the image has it
         refresh_machine(applied->changes);
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
     }
@@ -200,15 +229,16 @@ bool Service::take_persist() {
     auto index = own.persist_tail.tail.load(std::memory_order_relaxed);
     if (index >= head) return false;
     const auto end = std::min(head, index + kMostPerStep);
-    std::vector<Change> changes, passing;   // for the disk; until power-off
+    std::vector<Change> changes, passing;  // for the disk; until power-off
     std::vector<CellEntry> cells;
     for (; index < end; ++index) {
         const StoreRequest request = kernel_->persist.slot(index);
         if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) {
-            if (!answer_tool_call(request)) break;   // the kernel has left no room: again later
+            if (!answer_tool_call(request)) break;  // the kernel has left no room: again later
             continue;
         }
-        if (const auto low = request.level ? level_refusal(request) : std::nullopt) {   // an operator's, through the kernel
+        // an operator's, through the kernel
+        if (const auto low = request.level ? level_refusal(request) : std::nullopt) {
             std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(*low).c_str());
             continue;
         }
@@ -216,9 +246,16 @@ bool Service::take_persist() {
             cells.push_back(*cell);
             continue;
         }
-        Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
-        if (applied && static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::OffsetValue && request.channel >= 1 && request.channel <= kMaxChannels)
-            look_at_wear(values_, static_cast<unsigned>(offset_owner(values_.parameters, machine_, request.channel, request.number)), request.number, applied->changes);
+        Result<Applied> applied = is_tool_request(request)
+                                      ? apply_tool_request(request, values_)
+                                      : apply_request(request, Origin::Program, machine_, values_);
+        if (applied &&
+            static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::OffsetValue &&
+            request.channel >= 1 && request.channel <= kMaxChannels)
+            look_at_wear(values_,
+                         static_cast<unsigned>(offset_owner(values_.parameters, machine_,
+                                                            request.channel, request.number)),
+                         request.number, applied->changes);
         if (!applied) {
             tell_not_kept(applied.diagnosis());
             continue;
@@ -226,16 +263,22 @@ bool Service::take_persist() {
         refresh_machine(applied->changes);
         push_parameter_changes(applied->changes);
         // What the kernel counts itself is no news to it.
-        if (const auto kind = static_cast<StoreRequestKind>(request.kind); kind != StoreRequestKind::ToolLife && kind != StoreRequestKind::ToolInPlace && kind != StoreRequestKind::ToolChanged)
+        if (const auto kind = static_cast<StoreRequestKind>(request.kind);
+            kind != StoreRequestKind::ToolLife && kind != StoreRequestKind::ToolInPlace &&
+            kind != StoreRequestKind::ToolChanged)
             tell_kernel(applied->changes, request.id);
-        std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(applied->until_power_off ? passing : changes));
+        std::move(applied->changes.begin(), applied->changes.end(),
+                  std::back_inserter(applied->until_power_off ? passing : changes));
     }
-    if (const Result<void> kept = keep_cells(supervisor_->options, values_.parameters, cells); !kept) tell_not_kept(kept.diagnosis());
+    if (const Result<void> kept = keep_cells(supervisor_->options, values_.parameters, cells);
+        !kept)
+        tell_not_kept(kept.diagnosis());
     keep_pending(changes);
     changes.insert(changes.end(), passing.begin(), passing.end());
     image_.publish(values_, changes);
     pending_index_ = index;
-    own.persist_tail.tail.store(index, std::memory_order_release);   // the image is out: virtual time may go on
+    // the image is out: virtual time may go on
+    own.persist_tail.tail.store(index, std::memory_order_release);
     own.bell.ring();
     if (pending_.empty()) own.on_disk.store(index, std::memory_order_release);
     return true;
@@ -249,20 +292,33 @@ bool Service::take_requests() {
         if (index >= supervisor_->requests.head.load(std::memory_order_acquire)) return worked;
         send_answers();
         if (!out_.empty()) return worked;
-        // Room for the answer first: an operator's change whose answer cannot be given must not be made.
-        if (own.answers.head.load(std::memory_order_relaxed) - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >= decltype(StoreSegment::answers)::capacity) return worked;
+        // Room for the answer first: an operator's change whose answer cannot be given must not be
+        // made.
+        if (own.answers.head.load(std::memory_order_relaxed) -
+                supervisor_->answer_tail.tail.load(std::memory_order_acquire) >=
+            decltype(StoreSegment::answers)::capacity)
+            return worked;
         const StoreRequest request = supervisor_->requests.slot(index);
-        const bool parameter = static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter;
-        if (!parameter) import_.clear();   // its sender gave up: the lines of an import follow each other
+        const bool parameter =
+            static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter;
+        // its sender gave up: the lines of an import follow each other
+        if (!parameter) import_.clear();
         if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Operation) {
-            // Pieces follow each other; `number` is where this one begins, so that a sender that gave up spoils nothing.
+            // Pieces follow each other; `number` is where this one begins, so that a sender that
+            // gave up spoils nothing.
             if (request.number == 0) operation_.clear();
-            if (operation_.size() == static_cast<std::size_t>(request.number) && operation_.size() <= kLargestRequest) operation_.append(request.name.data(), ::strnlen(request.name.data(), request.name.size()));
+            if (operation_.size() == static_cast<std::size_t>(request.number) &&
+                operation_.size() <= kLargestRequest)
+                operation_.append(request.name.data(),
+                                  ::strnlen(request.name.data(), request.name.size()));
             if (request.field != kMoreFollows) {
-                // What killed its reader is not read again: nobody knows what it would do to this one.
+                // What killed its reader is not read again: nobody knows what it would do to this
+                // one.
                 const bool again = begun_before(request.id) > 0;
                 mark_begun(request.id, 1);
-                const std::string text = again ? refuse_begun(request) : operate_safely(std::exchange(operation_, {}), request);
+                const std::string text =
+                    again ? refuse_begun(request)
+                          : operate_safely(std::exchange(operation_, {}), request);
                 push_answer(request.id, text);
             }
             own.request_tail.tail.store(index + 1, std::memory_order_release);
@@ -279,8 +335,14 @@ bool Service::take_requests() {
             applied = Diagnosis{Alarm::RequestBad, {}, {}, kKilled};
             import_.clear();
         } else if (parameter && request.field == kMoreFollows) {
-            if (import_.size() < kMostImportLines) import_.push_back(request);
-            else applied = Diagnosis{Alarm::StoreRequestBad, {}, {}, "an import of more than " + std::to_string(kMostImportLines) + " lines"};
+            if (import_.size() < kMostImportLines)
+                import_.push_back(request);
+            else
+                applied = Diagnosis{
+                    Alarm::StoreRequestBad,
+                    {},
+                    {},
+                    "an import of more than " + std::to_string(kMostImportLines) + " lines"};
         } else {
             applied = apply_operator(request);
             import_.clear();
@@ -292,7 +354,8 @@ bool Service::take_requests() {
     }
 }
 
-// The slot that is filled next belongs to nobody else: it says what is being worked on, to whoever follows in this segment.
+// The slot that is filled next belongs to nobody else: it says what is being worked on, to whoever
+// follows in this segment.
 void Service::mark_begun(std::uint64_t id, unsigned times) {
     auto& ring = image_.segment().answers;
     StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
@@ -308,9 +371,10 @@ unsigned Service::begun_before(std::uint64_t id) {
     return next.id == id && id != 0 && next.ok == 0 && next.text[0] == 0 ? next.more : 0;
 }
 
-// The request, with the lines of its import before it: checked, on disk, in the image. All of it or nothing.
+// The request, with the lines of its import before it: checked, on disk, in the image. All of it or
+// nothing.
 Result<Applied> Service::apply_operator(const StoreRequest& request) {
-    std::map<Key, Change> all;   // a value that two lines set changes once
+    std::map<Key, Change> all;  // a value that two lines set changes once
     std::vector<StoreRequest> requests = import_;
     requests.push_back(request);
     std::string answer;
@@ -330,14 +394,22 @@ Result<Applied> Service::apply_operator(const StoreRequest& request) {
             return applied;
         }
         answer = applied->answer;
-        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::OffsetValue) look_at_wear(values_, static_cast<unsigned>(offset_owner(values_.parameters, machine_, one.channel, one.number)), one.number, applied->changes);
+        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::OffsetValue)
+            look_at_wear(values_,
+                         static_cast<unsigned>(
+                             offset_owner(values_.parameters, machine_, one.channel, one.number)),
+                         one.number, applied->changes);
         for (Change& change : applied->changes) {
             const auto [at, fresh] = all.emplace(change.key, change);
-            if (!fresh) at->second.after = change.after, at->second.text_after = change.text_after;
+            if (!fresh) {
+                at->second.after = change.after;
+                at->second.text_after = change.text_after;
+            }
         }
     }
     Applied done{changes(), std::move(answer)};
-    // Also after a query: what it shows counts as written, so what came before it goes to the disk with it.
+    // Also after a query: what it shows counts as written, so what came before it goes to the disk
+    // with it.
     if (const Result<void> kept = commit_pending(done.changes, user_name(request)); !kept) {
         undo(done.changes);
         return kept.diagnosis();
@@ -358,8 +430,10 @@ void Service::answer(const StoreRequest& request, const Result<Applied>& applied
     } else if (!applied->answer.empty()) {
         copy_text(out.text, applied->answer);
     } else if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter) {
-        // Stored, because the other half of the change may be on its way; but a start with it would be refused.
-        if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty()) copy_text(out.text, "stored, but: " + one_line(wrong.front()));
+        // Stored, because the other half of the change may be on its way; but a start with it would
+        // be refused.
+        if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty())
+            copy_text(out.text, "stored, but: " + one_line(wrong.front()));
     }
     auto& ring = image_.segment().answers;
     const auto head = ring.head.load(std::memory_order_relaxed);
@@ -367,7 +441,8 @@ void Service::answer(const StoreRequest& request, const Result<Applied>& applied
     ring.head.store(head + 1, std::memory_order_release);
 }
 
-// What the disk says of itself: nobody's rights grow because users were lost, and the kernel starts nothing.
+// What the disk says of itself: nobody's rights grow because users were lost, and the kernel starts
+// nothing.
 void Service::look_at_condition() {
     const bool was = unfit_;
     unfit_ = disk_ && disk_->condition().unfit;
@@ -376,9 +451,11 @@ void Service::look_at_condition() {
     if (!unfit_ || was) return;
     std::string detail = disk_->condition().unfit->detail;
     const auto newest = newest_good_backup(files_.store_folder);
-    detail += newest ? "; newest backup: " + newest->substr(newest->rfind('/') + 1) : "; there is no backup";
+    detail += newest ? "; newest backup: " + newest->substr(newest->rfind('/') + 1)
+                     : "; there is no backup";
     unfit_text_ = detail;
-    std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line({disk_->condition().unfit->alarm, {}, {}, detail}).c_str());
+    std::fprintf(stderr, "polyturn-toolmgmt: %s\n",
+                 one_line({disk_->condition().unfit->alarm, {}, {}, detail}).c_str());
 }
 
 void Service::tell_condition() {
@@ -389,14 +466,19 @@ void Service::tell_condition() {
     message.alarm = unfit_ ? kStoreUnfit : kStoreWhole;
     if (unfit_) message.tool = static_cast<std::int32_t>(disk_->condition().unfit->alarm);
     copy_text(message.text, unfit_text_);
-    told_ = image_.push(message, kernel_.attached() ? kernel_->tool_tail.tail.load(std::memory_order_acquire) : 0);
+    told_ = image_.push(
+        message, kernel_.attached() ? kernel_->tool_tail.tail.load(std::memory_order_acquire) : 0);
 }
 
-// A log that lies there for days is a risk for days; folding it in while nobody waits costs nobody anything.
+// A log that lies there for days is a risk for days; folding it in while nobody waits costs nobody
+// anything.
 void Service::fold_when_idle() {
-    if (!disk_ || !disk_->anything_to_fold() || !pending_.empty() || Clock::now() - quiet_since_ < kIdle) return;
+    if (!disk_ || !disk_->anything_to_fold() || !pending_.empty() ||
+        Clock::now() - quiet_since_ < kIdle)
+        return;
     quiet_since_ = Clock::now();
-    if (const Result<void> folded = disk_->fold(); !folded) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(folded.diagnosis()).c_str());
+    if (const Result<void> folded = disk_->fold(); !folded)
+        std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(folded.diagnosis()).c_str());
 }
 
 // All numbers of one request are one import: the kernel takes them in the same tick.
@@ -404,7 +486,9 @@ void Service::push_parameter_changes(const std::vector<Change>& changes) {
     StoreSegment& own = image_.segment();
     std::vector<ParamChange> out;
     for (const Change& change : changes) {
-        const double* at = change.key.kind == Kind::Parameter && !change.is_text ? number_at(values_, change.key) : nullptr;
+        const double* at = change.key.kind == Kind::Parameter && !change.is_text
+                               ? number_at(values_, change.key)
+                               : nullptr;
         if (!at) continue;
         ParamChange next{};
         next.import_id = import_id_ + 1;
@@ -421,9 +505,14 @@ void Service::push_parameter_changes(const std::vector<Change>& changes) {
     constexpr auto kCapacity = decltype(StoreSegment::param_changes)::capacity;
     for (const ParamChange& next : out) {
         const auto head = ring.head.load(std::memory_order_relaxed);
-        // A live kernel takes them every tick; one that does not within a second is dead or stopped, and its successor
-        // reads the whole table. Without a kernel nobody reads the ring.
-        for (int ms = 0; kernel_.attached() && head - kernel_->param_tail.tail.load(std::memory_order_acquire) >= kCapacity && ms < 1000; ++ms) sleep_ms(1);
+        // A live kernel takes them every tick; one that does not within a second is dead or
+        // stopped, and its successor reads the whole table. Without a kernel nobody reads the ring.
+        for (int ms = 0;
+             kernel_.attached() &&
+             head - kernel_->param_tail.tail.load(std::memory_order_acquire) >= kCapacity &&
+             ms < 1000;
+             ++ms)
+            sleep_ms(1);
         ring.slot(head) = next;
         ring.head.store(head + 1, std::memory_order_release);
     }
@@ -445,7 +534,8 @@ Result<void> Service::commit_pending(const std::vector<Change>& more, std::strin
         std::vector<Change> batch;
         for (const auto& [key, change] : pending_) batch.push_back(change);
         if (!batch.empty()) {
-            // How far the kernel's ring is on disk goes into the same transaction: life that was counted is not counted twice.
+            // How far the kernel's ring is on disk goes into the same transaction: life that was
+            // counted is not counted twice.
             const Key key{Kind::Setting, 0, 0, 0, "persist"};
             batch.push_back({key, 0, 0, {}, mark(), true});
             Result<void> done = disk_->commit(batch, "program");
@@ -460,15 +550,20 @@ Result<void> Service::commit_pending(const std::vector<Change>& more, std::strin
 }
 
 void Service::undo(const std::vector<Change>& changes) {
-    for (const Change& change : changes) write_value(values_, change.key, change.before, change.text_before, change.is_text);
+    for (const Change& change : changes)
+        write_value(values_, change.key, change.before, change.text_before, change.is_text);
 }
 
 void Service::refresh_machine(const std::vector<Change>& changes) {
     const bool places = std::any_of(changes.begin(), changes.end(), [](const Change& c) {
-        return c.key.kind == Kind::Parameter || c.key.kind == Kind::Place || (c.key.kind == Kind::Tool && (c.key.name == "magazine" || c.key.name == "pot" || c.key.name == "exists"));
+        return c.key.kind == Kind::Parameter || c.key.kind == Kind::Place ||
+               (c.key.kind == Kind::Tool &&
+                (c.key.name == "magazine" || c.key.name == "pot" || c.key.name == "exists"));
     });
     if (places) derive_places(values_, *places_);
-    const bool parameters = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::Parameter; });
+    const bool parameters = std::any_of(changes.begin(), changes.end(), [](const Change& c) {
+        return c.key.kind == Kind::Parameter;
+    });
     if (parameters) machine_ = derive_machine_config(values_.parameters);
 }
 

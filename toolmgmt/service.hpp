@@ -1,11 +1,14 @@
-// The store at work: takes requests of operator (through the supervisor) and programs (through the kernel), brings them
-// to the image and to the disk.
+// The store at work: takes requests of operator (through the supervisor) and programs (through the
+// kernel), brings them to the image and to the disk.
 //
-//   operator   checked -> on disk -> image -> answer. Refused by the disk: nothing changed, and the answer says so.
-//   program    image at once, in path order -> the disk within kBatchMs, several in one transaction.
+//   operator   checked -> on disk -> image -> answer. Refused by the disk: nothing changed, and the
+//              answer says so.
+//   program    image at once, in path order -> the disk within kBatchMs, several in one
+//              transaction.
 //
-// One thread does both. A disk that takes long to sync delays the next image, never the kernel in real time, for it does
-// not wait for the store; in virtual time the kernel waits for persist_tail, which moves only after the image is out.
+// One thread does both. A disk that takes long to sync delays the next image, never the kernel in
+// real time, for it does not wait for the store; in virtual time the kernel waits for persist_tail,
+// which moves only after the image is out.
 #pragma once
 
 #include <chrono>
@@ -30,15 +33,16 @@ class LoginLimit;
 
 class Service {
 public:
-    static constexpr std::chrono::milliseconds kBatchMs{40};   // architecture 9 allows 100
-    static constexpr std::chrono::milliseconds kIdle{2000};    // then the log is folded in
+    static constexpr std::chrono::milliseconds kBatchMs{40};  // architecture 9 allows 100
+    static constexpr std::chrono::milliseconds kIdle{2000};   // then the log is folded in
 
     // disk: nullptr keeps nothing. `values` are already what the image is to show.
     struct Files {
-        std::string machine_folder;   // what a backup takes along; empty: none
-        std::string store_folder;     // for automatic backups
+        std::string machine_folder;  // what a backup takes along; empty: none
+        std::string store_folder;    // for automatic backups
     };
-    Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files);
+    Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image,
+            StoreValues& values, Database* disk, Files files);
 
     ~Service();
 
@@ -62,19 +66,22 @@ private:
     std::string user_name(const StoreRequest& request) const;
     void send_answers();
     void tell_kernel(const std::vector<Change>& changes, std::uint64_t request);
-    void tell_not_kept(const Diagnosis& why);    // on stderr, and a message to the operator
+    void tell_not_kept(const Diagnosis& why);  // on stderr, and a message to the operator
     void back_up_when_due();
-    bool has_users() const;                      // without any, and without ever any, everybody whom the socket lets in may do everything
-    void tell_condition();                       // to the kernel: data were lost, or all is well again
+    // without any, and without ever any, everybody whom the socket lets in may do everything
+    bool has_users() const;
+    // to the kernel: data were lost, or all is well again
+    void tell_condition();
     void fold_when_idle();
-    void look_at_condition();                    // the disk's has changed
+    void look_at_condition();  // the disk's has changed
     // The request at the tail was begun by a predecessor that died of it, or while it worked on it.
     unsigned begun_before(std::uint64_t id);
     void answer_what_was_begun();
     void push_answer(std::uint64_t id, std::string_view text);
     void mark_begun(std::uint64_t id, unsigned times);
     std::string operate_safely(const std::string& text, const StoreRequest& request);
-    std::string mark() const;                    // in the file: how far the kernel's ring is on disk
+    // in the file: how far the kernel's ring is on disk
+    std::string mark() const;
     void answer(const StoreRequest& request, const Result<Applied>& applied);
     void push_parameter_changes(const std::vector<Change>& changes);
     void keep_pending(const std::vector<Change>& changes);
@@ -90,19 +97,21 @@ private:
     Database* disk_;
     MachineConfig machine_;
     std::uint64_t import_id_ = 0;
-    std::vector<StoreRequest> import_;           // lines of an import whose end has not come yet
-    std::map<Key, Change> pending_;              // in the image, not yet on disk
-    std::uint64_t pending_index_ = 0;            // persist requests before it are in the image
-    std::uint64_t replay_from_ = 0;              // from here to the tail they were in the image of a dead predecessor only
+    std::vector<StoreRequest> import_;  // lines of an import whose end has not come yet
+    std::map<Key, Change> pending_;     // in the image, not yet on disk
+    std::uint64_t pending_index_ = 0;   // persist requests before it are in the image
+    // from here to the tail they were in the image of a dead predecessor only
+    std::uint64_t replay_from_ = 0;
     Clock::time_point pending_since_{}, next_try_{};
     std::uint32_t supervisor_seen_ = 0, kernel_seen_ = 0;
     Files files_;
     std::unique_ptr<ToolPlaceTable> places_;
-    std::string operation_;                      // pieces of one whose end has not come yet
-    std::string disk_refuses_;                   // why nothing that programs write reaches the disk; empty: it does
-    std::deque<StoreAnswer> out_;                // answers for which there is no room yet
+    std::string operation_;  // pieces of one whose end has not come yet
+    // why nothing that programs write reaches the disk; empty: it does
+    std::string disk_refuses_;
+    std::deque<StoreAnswer> out_;  // answers for which there is no room yet
     Clock::time_point next_backup_{}, quiet_since_{};
-    bool unfit_ = false, told_ = true;           // told: the kernel knows
+    bool unfit_ = false, told_ = true;  // told: the kernel knows
     std::string unfit_text_;
     std::unique_ptr<LoginLimit> logins_;
     std::string refuse_begun(const StoreRequest& request);

@@ -1,4 +1,5 @@
-// A prepared SQLite statement and a transaction, so far as the store needs them. Included by database.cpp and schema.cpp only.
+// A prepared SQLite statement and a transaction, so far as the store needs them. Included by
+// database.cpp and schema.cpp only.
 #pragma once
 
 #include <sqlite3.h>
@@ -12,17 +13,25 @@ namespace polyturn::toolmgmt {
 
 class Statement {
 public:
-    Statement(sqlite3* db, const char* sql) { code_ = sqlite3_prepare_v2(db, sql, -1, &statement_, nullptr); }
+    Statement(sqlite3* db, const char* sql) {
+        code_ = sqlite3_prepare_v2(db, sql, -1, &statement_, nullptr);
+    }
     Statement(const Statement&) = delete;
     Statement& operator=(const Statement&) = delete;
     ~Statement() { sqlite3_finalize(statement_); }
 
-    Statement& bind(int at, std::int64_t value) { return note(sqlite3_bind_int64(statement_, at, value)); }
+    Statement& bind(int at, std::int64_t value) {
+        return note(sqlite3_bind_int64(statement_, at, value));
+    }
     // SQLite has no NaN: an empty variable is NULL, and so it comes back.
     Statement& bind(int at, double value) {
-        return note(std::isnan(value) ? sqlite3_bind_null(statement_, at) : sqlite3_bind_double(statement_, at, value));
+        return note(std::isnan(value) ? sqlite3_bind_null(statement_, at)
+                                      : sqlite3_bind_double(statement_, at, value));
     }
-    Statement& bind(int at, std::string_view value) { return note(sqlite3_bind_text(statement_, at, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT)); }
+    Statement& bind(int at, std::string_view value) {
+        return note(sqlite3_bind_text(statement_, at, value.data(), static_cast<int>(value.size()),
+                                      SQLITE_TRANSIENT));
+    }
     Statement& bind_null(int at) { return note(sqlite3_bind_null(statement_, at)); }
 
     // True while there is a row. After the last one code() tells whether all went well.
@@ -43,10 +52,15 @@ public:
 
     std::int64_t whole(int column) const { return sqlite3_column_int64(statement_, column); }
     bool null(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
-    double number(int column) const { return null(column) ? std::nan("") : sqlite3_column_double(statement_, column); }
+    double number(int column) const {
+        return null(column) ? std::nan("") : sqlite3_column_double(statement_, column);
+    }
     std::string text(int column) const {
         const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-        return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : std::string();
+        return bytes
+                   ? std::string(bytes,
+                                 static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+                   : std::string();
     }
 
 private:
@@ -58,7 +72,9 @@ private:
     int code_ = SQLITE_OK;
 };
 
-inline bool run(sqlite3* db, const char* sql) { return sqlite3_exec(db, sql, nullptr, nullptr, nullptr) == SQLITE_OK; }
+inline bool run(sqlite3* db, const char* sql) {
+    return sqlite3_exec(db, sql, nullptr, nullptr, nullptr) == SQLITE_OK;
+}
 
 // All or nothing: rolled back unless committed.
 class Transaction {

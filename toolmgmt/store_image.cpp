@@ -17,11 +17,13 @@ namespace polyturn::toolmgmt {
 namespace {
 
 // The segment of a dead predecessor that served the same supervisor.
-std::optional<OwnSegment<StoreSegment>> take_over(const std::string& instance, const SegmentHeader& supervisor) {
+std::optional<OwnSegment<StoreSegment>> take_over(const std::string& instance,
+                                                  const SegmentHeader& supervisor) {
     auto own = OwnSegment<StoreSegment>::adopt(instance);
     if (!own) return {};
     const SegmentHeader& header = (*own)->header;
-    const bool serves = (*own)->supervisor.load() == supervisor.writer_pid && header.generation == supervisor.generation;
+    const bool serves = (*own)->supervisor.load() == supervisor.writer_pid &&
+                        header.generation == supervisor.generation;
     const bool dead = kill(header.writer_pid, 0) != 0 && errno == ESRCH;
     if (!serves || !dead) return {};
     return std::move(*own);
@@ -29,7 +31,8 @@ std::optional<OwnSegment<StoreSegment>> take_over(const std::string& instance, c
 
 }  // namespace
 
-Result<StoreImage> StoreImage::create(const std::string& instance, const SegmentHeader& supervisor) {
+Result<StoreImage> StoreImage::create(const std::string& instance,
+                                      const SegmentHeader& supervisor) {
     StoreImage image;
     if (auto own = take_over(instance, supervisor)) {
         image.own_ = std::move(*own);
@@ -45,17 +48,19 @@ Result<StoreImage> StoreImage::create(const std::string& instance, const Segment
 }
 
 void StoreImage::read_into(StoreValues& values) const {
-    const StoreSegment& from = *own_;   // nobody writes it but us
+    const StoreSegment& from = *own_;  // nobody writes it but us
     values.parameters = from.parameters.published();
     values.counters = from.totals.published().counters;
     values.last_position = from.totals.published().last_position;
-    for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l] = from.channels[l].published();
+    for (std::size_t l = 0; l < kMaxChannels; ++l)
+        values.channels[l] = from.channels[l].published();
     values.tools = from.tools.published();
     values.edges = from.edges.published();
 }
 
 void StoreImage::read_zeros_into(StoreValues& values) const {
-    for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l].zeros = own_->channels[l].published().zeros;
+    for (std::size_t l = 0; l < kMaxChannels; ++l)
+        values.channels[l].zeros = own_->channels[l].published().zeros;
 }
 
 void StoreImage::publish_all(const StoreValues& values) {
@@ -67,7 +72,7 @@ void StoreImage::publish_all(const StoreValues& values) {
     publish_tools(values, {});
     publish_users(values);
     to.version.fetch_add(1, std::memory_order_release);
-    to.header.writer_pid = getpid();   // whoever waits for this process sees only what it published
+    to.header.writer_pid = getpid();  // whoever waits for this process sees only what it published
     own_.publish();
     to.bell.ring();
 }
@@ -86,7 +91,8 @@ void StoreImage::publish_tools(const StoreValues& values, const std::vector<Chan
     for (const Change& change : changes) {
         const Key& key = change.key;
         if (key.kind == Kind::Tool) {
-            if (rows.empty() || rows.back() != static_cast<std::size_t>(key.number - 1)) rows.push_back(static_cast<std::size_t>(key.number - 1));
+            if (rows.empty() || rows.back() != static_cast<std::size_t>(key.number - 1))
+                rows.push_back(static_cast<std::size_t>(key.number - 1));
             places = places || key.name == "magazine" || key.name == "pot" || key.name == "exists";
             more = more || key.name != "counter";
         }
@@ -109,7 +115,8 @@ void StoreImage::publish_tools(const StoreValues& values, const std::vector<Chan
         if (more) ++tool_version_;
         draft.version = tool_version_;
         to.tools.publish();
-        // The slot that is now behind was filled before this one: what both publications wrote is missing there.
+        // The slot that is now behind was filled before this one: what both publications wrote is
+        // missing there.
         if (all_written_) {
             to.tools.draft() = values.tools;
             written_.clear();
@@ -140,7 +147,8 @@ void StoreImage::publish_users(const StoreValues& values) {
         row.level = static_cast<std::uint32_t>(number(user, "level", 0));
         row.locked = number(user, "locked_until", 0) > 0;
         row.uid = static_cast<std::int64_t>(number(user, "uid", -1));
-        std::copy_n(name->text.begin(), std::min(name->text.size(), row.name.size() - 1), row.name.begin());
+        std::copy_n(name->text.begin(), std::min(name->text.size(), row.name.size() - 1),
+                    row.name.begin());
     }
     if (table.count == 0 && locked_) {
         UserRow& nobody = table.rows[table.count++];
@@ -165,8 +173,10 @@ void StoreImage::publish(const StoreValues& values, const std::vector<Change>& c
     std::array<bool, kMaxChannels> channels{};
     for (const Change& change : changes) {
         if (change.key.kind == Kind::Counter || change.key.kind == Kind::Position) totals = true;
-        if (change.key.kind == Kind::Parameter || change.key.kind == Kind::Counter) parameters = true;
-        else if (change.key.kind <= Kind::Variable) channels[static_cast<std::size_t>(change.key.scope - 1)] = true;
+        if (change.key.kind == Kind::Parameter || change.key.kind == Kind::Counter)
+            parameters = true;
+        else if (change.key.kind <= Kind::Variable)
+            channels[static_cast<std::size_t>(change.key.scope - 1)] = true;
     }
     StoreSegment& to = *own_;
     if (parameters) to.parameters.write(values.parameters);
@@ -174,9 +184,15 @@ void StoreImage::publish(const StoreValues& values, const std::vector<Change>& c
     for (std::size_t l = 0; l < kMaxChannels; ++l)
         if (channels[l]) to.channels[l].write(values.channels[l]);
     publish_tools(values, changes);
-    if (std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::User; })) publish_users(values);
-    // Counters, positions and the life of tools are the kernel's own: nobody has to look because of them.
-    const bool news = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind <= Kind::Edge && c.key.kind != Kind::Counter && c.key.kind != Kind::Position && c.key.name != "counter"; });
+    if (std::any_of(changes.begin(), changes.end(),
+                    [](const Change& c) { return c.key.kind == Kind::User; }))
+        publish_users(values);
+    // Counters, positions and the life of tools are the kernel's own: nobody has to look because of
+    // them.
+    const bool news = std::any_of(changes.begin(), changes.end(), [](const Change& c) {
+        return c.key.kind <= Kind::Edge && c.key.kind != Kind::Counter &&
+               c.key.kind != Kind::Position && c.key.name != "counter";
+    });
     if (news) to.version.fetch_add(1, std::memory_order_release);
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ipc/machine/apply_setup.hpp"
-#include "ipc/machine/tool_fields.hpp"
-#include "ipc/machine/work_zeros.hpp"
+#include "ipc/machine/store/apply_setup.hpp"
+#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/machine/store/work_zeros.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/registry.hpp"
 
@@ -22,15 +22,23 @@ double* offset_at(ChannelStore& store, std::int32_t number, std::int32_t code) {
     OffsetCell& cell = store.offsets[static_cast<std::size_t>(number)];
     const auto table = static_cast<OffsetTable>(code / 256);
     const auto field = static_cast<OffsetField>(code % 256);
-    if (field == OffsetField::T) return table == OffsetTable::Geometry || table == OffsetTable::Wear ? &cell.tip : nullptr;
-    if (field == OffsetField::R) return table == OffsetTable::Geometry ? &cell.geometry_r : table == OffsetTable::Wear ? &cell.wear_r : nullptr;
+    if (field == OffsetField::T)
+        return table == OffsetTable::Geometry || table == OffsetTable::Wear ? &cell.tip : nullptr;
+    if (field == OffsetField::R)
+        return table == OffsetTable::Geometry ? &cell.geometry_r
+               : table == OffsetTable::Wear   ? &cell.wear_r
+                                              : nullptr;
     if (field > OffsetField::T) return nullptr;
     const auto place = static_cast<std::size_t>(field);
     switch (table) {
-        case OffsetTable::Geometry: return &cell.geometry[place];
-        case OffsetTable::Wear: return &cell.wear[place];
-        case OffsetTable::SecondGeometry: return &cell.second[place];
-        case OffsetTable::Work: break;
+        case OffsetTable::Geometry:
+            return &cell.geometry[place];
+        case OffsetTable::Wear:
+            return &cell.wear[place];
+        case OffsetTable::SecondGeometry:
+            return &cell.second[place];
+        case OffsetTable::Work:
+            break;
     }
     return nullptr;
 }
@@ -38,8 +46,11 @@ double* offset_at(ChannelStore& store, std::int32_t number, std::int32_t code) {
 // Slot of a parameter's instance (from 1) and element; nothing when the registry has none.
 const params::Row* parameter_row(const Key& key, std::size_t& slot) {
     const params::Row* row = params::find(key.name);
-    if (!row || key.scope < 1 || static_cast<unsigned>(key.scope) > params::instances(row->scope) || key.number < 0 || key.number >= row->array) return nullptr;
-    slot = row->first_slot + static_cast<std::size_t>(key.scope - 1) * row->array + static_cast<std::size_t>(key.number);
+    if (!row || key.scope < 1 || static_cast<unsigned>(key.scope) > params::instances(row->scope) ||
+        key.number < 0 || key.number >= row->array)
+        return nullptr;
+    slot = row->first_slot + static_cast<std::size_t>(key.scope - 1) * row->array +
+           static_cast<std::size_t>(key.number);
     return row;
 }
 
@@ -70,20 +81,36 @@ std::string describe(const Key& key) {
         case Kind::Offset: {
             const int table = key.field / 256, field = key.field % 256;
             if (table < 0 || table > 2 || field > 4) break;
-            return channel + " offset " + std::to_string(key.number) + " " + kTableNames[table] + " " + kFieldNames[field];
+            return channel + " offset " + std::to_string(key.number) + " " + kTableNames[table] +
+                   " " + kFieldNames[field];
         }
-        case Kind::WorkZero: return channel + " " + work_zero_name(static_cast<std::size_t>(key.number)) + " place " + std::to_string(key.field + 1);
-        case Kind::Variable: return channel + " #" + std::to_string(500 + key.number);
-        case Kind::Counter: return "counter " + std::to_string(key.number);
-        case Kind::Position: return "A" + std::to_string(key.scope) + " last position";
-        case Kind::Tool: return "tool " + std::to_string(key.number) + " " + key.name;
-        case Kind::Edge: return "tool " + std::to_string(key.scope) + " D" + std::to_string(key.number) + " DP" + std::to_string(key.field);
-        case Kind::Place: return "magazine " + std::to_string(key.scope) + " pot " + std::to_string(key.number) + " " + key.name;
-        case Kind::Work: return channel + " " + key.name;
-        case Kind::User: return "user " + std::to_string(key.number) + " " + key.name;
-        case Kind::Dimension: return "dimension " + std::to_string(key.number) + " " + key.name;
-        case Kind::Pallet: return "pallet " + std::to_string(key.number) + " " + key.name;
-        case Kind::Setting: return key.name;
+        case Kind::WorkZero:
+            return channel + " " + work_zero_name(static_cast<std::size_t>(key.number)) +
+                   " place " + std::to_string(key.field + 1);
+        case Kind::Variable:
+            return channel + " #" + std::to_string(500 + key.number);
+        case Kind::Counter:
+            return "counter " + std::to_string(key.number);
+        case Kind::Position:
+            return "A" + std::to_string(key.scope) + " last position";
+        case Kind::Tool:
+            return "tool " + std::to_string(key.number) + " " + key.name;
+        case Kind::Edge:
+            return "tool " + std::to_string(key.scope) + " D" + std::to_string(key.number) + " DP" +
+                   std::to_string(key.field);
+        case Kind::Place:
+            return "magazine " + std::to_string(key.scope) + " pot " + std::to_string(key.number) +
+                   " " + key.name;
+        case Kind::Work:
+            return channel + " " + key.name;
+        case Kind::User:
+            return "user " + std::to_string(key.number) + " " + key.name;
+        case Kind::Dimension:
+            return "dimension " + std::to_string(key.number) + " " + key.name;
+        case Kind::Pallet:
+            return "pallet " + std::to_string(key.number) + " " + key.name;
+        case Kind::Setting:
+            return key.name;
     }
     return channel;
 }
@@ -94,42 +121,64 @@ double* number_at(StoreValues& values, const Key& key) {
         const params::Row* row = parameter_row(key, slot);
         return row && row->type != params::Type::Text ? &values.parameters.numbers[slot] : nullptr;
     }
-    if (key.kind == Kind::Counter) return key.number >= 0 && key.number < kCounters ? &values.counters[static_cast<std::size_t>(key.number)] : nullptr;
-    if (key.kind == Kind::Position) return key.scope >= 1 && key.scope <= static_cast<int>(kMaxAxes) ? &values.last_position[static_cast<std::size_t>(key.scope - 1)] : nullptr;
-    if (key.kind > Kind::Position || key.scope < 1 || key.scope > static_cast<int>(kMaxChannels)) return nullptr;
+    if (key.kind == Kind::Counter)
+        return key.number >= 0 && key.number < kCounters
+                   ? &values.counters[static_cast<std::size_t>(key.number)]
+                   : nullptr;
+    if (key.kind == Kind::Position)
+        return key.scope >= 1 && key.scope <= static_cast<int>(kMaxAxes)
+                   ? &values.last_position[static_cast<std::size_t>(key.scope - 1)]
+                   : nullptr;
+    if (key.kind > Kind::Position || key.scope < 1 || key.scope > static_cast<int>(kMaxChannels))
+        return nullptr;
     ChannelStore& store = values.channels[static_cast<std::size_t>(key.scope - 1)];
     if (key.kind == Kind::Offset) return offset_at(store, key.number, key.field);
     if (key.kind == Kind::WorkZero) {
-        const bool exists = key.number >= 0 && key.number < static_cast<int>(kWorkZeros) && key.field >= 0 && key.field < static_cast<int>(kChannelAxes);
-        return exists ? &store.zeros[static_cast<std::size_t>(key.number) * kChannelAxes + static_cast<std::size_t>(key.field)] : nullptr;
+        const bool exists = key.number >= 0 && key.number < static_cast<int>(kWorkZeros) &&
+                            key.field >= 0 && key.field < static_cast<int>(kChannelAxes);
+        return exists ? &store.zeros[static_cast<std::size_t>(key.number) * kChannelAxes +
+                                     static_cast<std::size_t>(key.field)]
+                      : nullptr;
     }
-    return key.number >= 0 && key.number < static_cast<int>(kPersistentVariables) ? &store.variables[static_cast<std::size_t>(key.number)] : nullptr;
+    return key.number >= 0 && key.number < static_cast<int>(kPersistentVariables)
+               ? &store.variables[static_cast<std::size_t>(key.number)]
+               : nullptr;
 }
 
 namespace {
 
-bool order(const ToolEdge& a, const ToolEdge& b) { return a.tool != b.tool ? a.tool < b.tool : a.number < b.number; }
+bool order(const ToolEdge& a, const ToolEdge& b) {
+    return a.tool != b.tool ? a.tool < b.tool : a.number < b.number;
+}
 
-bool empty(const ToolEdge& edge) { return std::all_of(edge.dp.begin(), edge.dp.end(), [](double v) { return v == 0.0; }); }
+bool empty(const ToolEdge& edge) {
+    return std::all_of(edge.dp.begin(), edge.dp.end(), [](double v) { return v == 0.0; });
+}
 
 bool write_tool(StoreValues& values, const Key& key, double number, const std::string& text) {
     ToolRow* row = values.tool(key.number);
     if (!row) return false;
     if (key.name == "exists") {
-        if (std::isnan(number) || number == 0.0) clear_tool(*row);
-        else row->used = 1;
+        if (std::isnan(number) || number == 0.0)
+            clear_tool(*row);
+        else
+            row->used = 1;
         return true;
     }
     const auto field = find_tool_field(key.name);
     if (!field) return false;
     const ToolField& column = tool_fields()[*field];
-    if (column.is_text()) put_tool_text(*row, column, text);
-    else put_tool_number(*row, column, number);
+    if (column.is_text())
+        put_tool_text(*row, column, text);
+    else
+        put_tool_number(*row, column, number);
     return true;
 }
 
 bool write_edge(StoreValues& values, const Key& key, double number) {
-    if (!values.tool(key.scope) || key.number < 1 || key.number > 12 || key.field < 0 || key.field >= 36) return false;
+    if (!values.tool(key.scope) || key.number < 1 || key.number > 12 || key.field < 0 ||
+        key.field >= 36)
+        return false;
     const double value = std::isnan(number) ? 0.0 : number;
     ToolEdge* edge = find_edge(values, key.scope, key.number);
     if (!edge && value == 0.0) return true;
@@ -144,9 +193,12 @@ bool write_work(StoreValues& values, const Key& key, double number) {
     if (key.scope < 1 || key.scope > static_cast<int>(kMaxChannels)) return false;
     const auto channel = static_cast<std::size_t>(key.scope - 1);
     const auto tool = static_cast<std::int32_t>(std::isnan(number) ? 0.0 : number);
-    if (key.name == "tool") values.tools.in_channel[channel] = tool;
-    else if (key.name == "next tool") values.tools.next[channel] = tool;
-    else return false;
+    if (key.name == "tool")
+        values.tools.in_channel[channel] = tool;
+    else if (key.name == "next tool")
+        values.tools.next[channel] = tool;
+    else
+        return false;
     return true;
 }
 
@@ -154,19 +206,23 @@ bool write_work(StoreValues& values, const Key& key, double number) {
 
 ToolEdge* find_edge(StoreValues& values, std::int32_t tool, std::int32_t number) {
     ToolEdge wanted;
-    wanted.tool = tool, wanted.number = number;
+    wanted.tool = tool;
+    wanted.number = number;
     ToolEdge* const end = values.edges.edges.data() + values.edges.count;
     ToolEdge* const at = std::lower_bound(values.edges.edges.data(), end, wanted, order);
     return at != end && at->tool == tool && at->number == number ? at : nullptr;
 }
 
-const ToolEdge* find_edge(const StoreValues& values, std::int32_t tool, std::int32_t number) { return find_edge(const_cast<StoreValues&>(values), tool, number); }
+const ToolEdge* find_edge(const StoreValues& values, std::int32_t tool, std::int32_t number) {
+    return find_edge(const_cast<StoreValues&>(values), tool, number);
+}
 
 ToolEdge* make_edge(StoreValues& values, std::int32_t tool, std::int32_t number) {
     ToolEdgeTable& table = values.edges;
     if (table.count == kToolEdges) return nullptr;
     ToolEdge fresh;
-    fresh.tool = tool, fresh.number = number;
+    fresh.tool = tool;
+    fresh.number = number;
     ToolEdge* const end = table.edges.data() + table.count;
     ToolEdge* const at = std::lower_bound(table.edges.data(), end, fresh, order);
     std::move_backward(at, end, end + 1);
@@ -183,20 +239,27 @@ void remove_edge(StoreValues& values, std::int32_t tool, std::int32_t number) {
     values.edges.edges[--values.edges.count] = {};
 }
 
-bool write_value(StoreValues& values, const Key& key, double number, const std::string& text, bool is_text) {
+bool write_value(StoreValues& values, const Key& key, double number, const std::string& text,
+                 bool is_text) {
     switch (key.kind) {
-        case Kind::Tool: return write_tool(values, key, number, text);
-        case Kind::Edge: return write_edge(values, key, number);
-        case Kind::Work: return write_work(values, key, number);
+        case Kind::Tool:
+            return write_tool(values, key, number, text);
+        case Kind::Edge:
+            return write_edge(values, key, number);
+        case Kind::Work:
+            return write_work(values, key, number);
         case Kind::Place:
         case Kind::User:
         case Kind::Dimension:
         case Kind::Pallet:
         case Kind::Setting:
-            if (is_text ? text.empty() : std::isnan(number)) values.cells.erase(key);
-            else values.cells[key] = {number, text, is_text};
+            if (is_text ? text.empty() : std::isnan(number))
+                values.cells.erase(key);
+            else
+                values.cells[key] = {number, text, is_text};
             return true;
-        default: break;
+        default:
+            break;
     }
     if (!is_text) {
         double* at = number_at(values, key);
@@ -210,7 +273,8 @@ bool write_value(StoreValues& values, const Key& key, double number, const std::
     return true;
 }
 
-bool change_to(const StoreValues& values, const Key& key, double number, std::string_view text, bool is_text, Change& out) {
+bool change_to(const StoreValues& values, const Key& key, double number, std::string_view text,
+               bool is_text, Change& out) {
     out = {key, std::numeric_limits<double>::quiet_NaN(), number, {}, std::string(text), is_text};
     switch (key.kind) {
         case Kind::Tool: {
@@ -223,18 +287,25 @@ bool change_to(const StoreValues& values, const Key& key, double number, std::st
             const auto field = find_tool_field(key.name);
             if (!field) return false;
             const ToolField& column = tool_fields()[*field];
-            if (column.is_text()) out.is_text = true, out.text_before = tool_text(*row, column);
-            else out.before = tool_number(*row, column);
+            if (column.is_text()) {
+                out.is_text = true;
+                out.text_before = tool_text(*row, column);
+            } else
+                out.before = tool_number(*row, column);
             return column.is_text() ? out.text_before != text : out.before != number;
         }
         case Kind::Edge: {
             const ToolEdge* edge = find_edge(values, key.scope, key.number);
-            out.before = edge && key.field >= 0 && key.field < 36 ? edge->dp[static_cast<std::size_t>(key.field)] : 0.0;
+            out.before = edge && key.field >= 0 && key.field < 36
+                             ? edge->dp[static_cast<std::size_t>(key.field)]
+                             : 0.0;
             return out.before != number;
         }
         case Kind::Work:
             if (key.scope < 1 || key.scope > static_cast<int>(kMaxChannels)) return false;
-            out.before = (key.name == "tool" ? values.tools.in_channel : values.tools.next)[static_cast<std::size_t>(key.scope - 1)];
+            out.before =
+                (key.name == "tool" ? values.tools.in_channel
+                                    : values.tools.next)[static_cast<std::size_t>(key.scope - 1)];
             return out.before != number;
         case Kind::Place:
         case Kind::User:
@@ -242,12 +313,18 @@ bool change_to(const StoreValues& values, const Key& key, double number, std::st
         case Kind::Pallet:
         case Kind::Setting: {
             const Cell* cell = values.cell(key);
-            if (cell) out.before = cell->number, out.text_before = cell->text;
+            if (cell) {
+                out.before = cell->number;
+                out.text_before = cell->text;
+            }
             if (!cell) return is_text ? !text.empty() : !std::isnan(number);
             if (cell->is_text != is_text) return true;
-            return is_text ? cell->text != text : std::bit_cast<std::uint64_t>(cell->number) != std::bit_cast<std::uint64_t>(number);
+            return is_text ? cell->text != text
+                           : std::bit_cast<std::uint64_t>(cell->number) !=
+                                 std::bit_cast<std::uint64_t>(number);
         }
-        default: break;
+        default:
+            break;
     }
     const double* at = number_at(const_cast<StoreValues&>(values), key);
     if (at) {

@@ -15,7 +15,8 @@ namespace {
 constexpr std::int64_t kPollUs = 2000;
 
 // False when the system has no such call.
-bool wait_together([[maybe_unused]] std::span<const Watched> bells, [[maybe_unused]] std::int64_t timeout_us) {
+bool wait_together([[maybe_unused]] std::span<const Watched> bells,
+                   [[maybe_unused]] std::int64_t timeout_us) {
 #ifdef SYS_futex_waitv
     static bool missing = false;
     if (missing) return false;
@@ -24,15 +25,18 @@ bool wait_together([[maybe_unused]] std::span<const Watched> bells, [[maybe_unus
     for (std::size_t i = 0; i < count; ++i) {
         waits[i].val = bells[i].seen;
         waits[i].uaddr = reinterpret_cast<std::uint64_t>(&bells[i].bell->rings);
-        waits[i].flags = FUTEX_32;   // shared: the ringers are other processes
+        waits[i].flags = FUTEX_32;  // shared: the ringers are other processes
     }
     timespec until{};
     clock_gettime(CLOCK_MONOTONIC, &until);
     const std::int64_t ns = until.tv_nsec + timeout_us % 1'000'000 * 1000;
     until.tv_sec += timeout_us / 1'000'000 + ns / 1'000'000'000;
     until.tv_nsec = ns % 1'000'000'000;
-    if (syscall(SYS_futex_waitv, waits.data(), static_cast<unsigned>(count), 0u, &until, CLOCK_MONOTONIC) >= 0) return true;
-    if (errno != ENOSYS && errno != EINVAL && errno != EPERM) return true;   // rung before we slept, timeout, signal
+    if (syscall(SYS_futex_waitv, waits.data(), static_cast<unsigned>(count), 0u, &until,
+                CLOCK_MONOTONIC) >= 0)
+        return true;
+    // rung before we slept, timeout, signal
+    if (errno != ENOSYS && errno != EINVAL && errno != EPERM) return true;
     missing = true;
 #endif
     return false;

@@ -2,7 +2,7 @@
 """Alarms: one row in ipc/diagnosis/alarms.csv gives the identifier, its numbers per control, text and remedy."""
 import csv, pathlib, re, sys
 
-import tongues
+import display_languages
 
 source, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 dialects = ["polyturn", "fanuc", "nct", "fagor", "sinumerik", "mefi"]
@@ -66,8 +66,8 @@ def misfit(english, row):
 
 
 known = {row["key"]: row for row in rows}
-tables = [tongues.read(source, code, "key", ["key", "text", "remedy"], known, misfit) for code in tongues.CODES]
-write(folder / "alarm_tongues.hpp", '// Generated from ipc/diagnosis/alarms.ru.csv, alarms.cs.csv and alarms.hu.csv.\n#pragma once\n#include <array>\n'
-      '#include "ipc/diagnosis/tongue.hpp"\nnamespace polyturn {\ninline constexpr std::array<std::array<TongueRow, kAlarmCount>, 3> kAlarmTongues{{\n'
+tables = [display_languages.read(source, code, "key", ["key", "text", "remedy"], known, misfit) for code in display_languages.CODES]
+write(folder / "alarm_display_languages.hpp", '// Generated from ipc/diagnosis/alarms.ru.csv, alarms.cs.csv and alarms.hu.csv.\n#pragma once\n#include <array>\n'
+      '#include "ipc/diagnosis/display_language.hpp"\nnamespace polyturn {\ninline constexpr std::array<std::array<TranslatedAlarm, kAlarmCount>, 3> kAlarmTranslations{{\n'
       + "".join("  {{\n" + "".join(f"    {{{text(table[r['key']]['text'])}, {text(table[r['key']]['remedy'])}}},\n" if r["key"] in table else "    {},\n" for r in rows)
                 + "  }},\n" for table in tables) + "}};\n}\n")

@@ -2,7 +2,7 @@
 """The shared image: ipc/image/fields.csv gives the structures, the table of fields and the layout hash."""
 import csv, hashlib, pathlib, re, sys
 
-import tongues
+import display_languages
 
 fields_csv, signals_csv, enums_hpp, capacities_hpp, out = map(pathlib.Path, sys.argv[1:6])
 BASE = {"f64": "double", "i64": "std::int64_t", "u64": "std::uint64_t", "i32": "std::int32_t", "u32": "std::uint32_t", "u16": "std::uint16_t",
@@ -126,11 +126,11 @@ write(out / "polyturn" / "image_structs.hpp", "\n".join(h))
 write(out / "image_tables.cpp", "\n".join(c))
 
 # What people read of a signal in other languages, one text for each row of signal_rows().
-found = [tongues.read(signals_csv, code, "name", ["name", "meaning"], {pattern["name"]: pattern for pattern in patterns},
+found = [display_languages.read(signals_csv, code, "name", ["name", "meaning"], {pattern["name"]: pattern for pattern in patterns},
                       lambda _, row: None if row["meaning"] else "has no meaning")
-         for code in tongues.CODES]
-write(out / "polyturn" / "signal_tongues.hpp",
+         for code in display_languages.CODES]
+write(out / "polyturn" / "signal_translations.hpp",
       "// Generated from ipc/image/signals.ru.csv, signals.cs.csv and signals.hu.csv.\n#pragma once\n#include <array>\n#include <string_view>\nnamespace polyturn {\n"
-      f"inline constexpr std::array<std::array<std::string_view, {len(signals)}>, 3> kSignalTongues{{{{\n"
-      + "".join("  {{\n" + "".join(f"    {text(tongue[s['pattern']]['meaning']) if s['pattern'] in tongue else '{}'},\n" for s in signals) + "  }},\n" for tongue in found)
+      f"inline constexpr std::array<std::array<std::string_view, {len(signals)}>, 3> kSignalTranslations{{{{\n"
+      + "".join("  {{\n" + "".join(f"    {text(display_language[s['pattern']]['meaning']) if s['pattern'] in display_language else '{}'},\n" for s in signals) + "  }},\n" for display_language in found)
       + "}};\n}\n")

@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-import tongues
+import display_languages
 
 COLUMNS = ["number", "name", "group", "scope", "type", "unit", "min", "max", "default", "effect", "protection", "acts",
            "bits", "meaning"]
@@ -272,20 +272,20 @@ def misfit(row, cells):
 def write_tongues(table, rows, path):
     english = {row.number: row for row in rows}
     columns = ["number", "name", "bits", "meaning", "acts"]
-    found = [tongues.read(table, code, "number", columns, english, misfit) for code in tongues.CODES]
+    found = [display_languages.read(table, code, "number", columns, english, misfit) for code in display_languages.CODES]
     out = ["// Generated from ipc/params/parameters.ru.csv, parameters.cs.csv and parameters.hu.csv by tools/generate_parameters.py.",
-           "#pragma once", "#include <array>", '#include "ipc/params/tongue.hpp"', '#include "polyturn/parameter_handles.hpp"', "",
+           "#pragma once", "#include <array>", '#include "ipc/params/translations.hpp"', '#include "polyturn/parameter_handles.hpp"', "",
            "namespace polyturn::params::detail {", "using namespace std::string_view_literals;", ""]
-    for code, tongue in zip(tongues.CODES, found):
+    for code, display_language in zip(display_languages.CODES, found):
         for index, row in enumerate(rows):
-            texts = tongue.get(row.number, {}).get("bit texts")
+            texts = display_language.get(row.number, {}).get("bit texts")
             if texts:
                 out.append(f"inline constexpr std::string_view kBits_{code}{index}[] = {{{', '.join(quoted(text) + 'sv' for text in texts)}}};")
-    out += ["", "inline constexpr std::array<std::array<TranslatedRow, kRowCount>, 3> kTongues{{"]
-    for code, tongue in zip(tongues.CODES, found):
+    out += ["", "inline constexpr std::array<std::array<TranslatedRow, kRowCount>, 3> kDisplayLanguages{{"]
+    for code, display_language in zip(display_languages.CODES, found):
         out.append("  {{")
         for index, row in enumerate(rows):
-            cells = tongue.get(row.number)
+            cells = display_language.get(row.number)
             out.append("    {}," if cells is None else
                        f"    {{{quoted(cells['name'])}sv, {quoted(cells['meaning'])}sv, {quoted(cells['acts'])}sv, "
                        + (f"kBits_{code}{index}" if cells.get("bit texts") else "{}") + f"}},   // {row.number}")

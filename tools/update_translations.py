@@ -41,7 +41,7 @@ def collect():
             for column in columns:
                 if column < len(texts) and texts[column]:
                     found.setdefault(plain(texts[column]), "../" + header)
-    # Groups and units of the parameters; their names and meanings lie beside them (ipc/params/tongue.hpp).
+    # Groups and units of the parameters; their names and meanings lie beside them (ipc/params/translations.hpp).
     for row in csv.DictReader((TOP / "ipc/params/parameters.csv").read_text(encoding="utf-8").splitlines()):
         for text in (row["group"], *row["unit"].split("|")):
             if text and text != "%":

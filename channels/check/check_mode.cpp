@@ -1,4 +1,3 @@
-#include "channels/forwarding_sink.hpp"
 #include "channels/check/check_mode.hpp"
 
 #include <fcntl.h>
@@ -14,14 +13,16 @@
 #include "channels/check/check_port.hpp"
 #include "channels/check/event_text.hpp"
 #include "channels/check/round_watch.hpp"
+#include "channels/forwarding_sink.hpp"
 #include "channels/preset.hpp"
-#include "ipc/machine/apply_setup.hpp"
+#include "ipc/machine/store/apply_setup.hpp"
 #include "ipc/path/stroke_zones.hpp"
 
 namespace polyturn::channels {
 namespace {
 
-// Prints events as they come in pieces, so that a long program needs no memory; after a wait it asks for the way on.
+// Prints events as they come in pieces, so that a long program needs no memory; after a wait it
+// asks for the way on.
 class Printer {
 public:
     explicit Printer(std::FILE* out) : out_(out) {}
@@ -52,7 +53,9 @@ void place_axes(Core& core, const text::ChannelSetup& setup) {
     MachineView& view = core.view();
     AxisValues machine = view.start;
     for (const auto& [name, value] : setup.machine)
-        if (const int place = view.axis_by_name(name); place >= 0) machine[static_cast<std::size_t>(place)] = view.from_shown(static_cast<unsigned>(place), value);
+        if (const int place = view.axis_by_name(name); place >= 0)
+            machine[static_cast<std::size_t>(place)] =
+                view.from_shown(static_cast<unsigned>(place), value);
     for (const auto& [name, value] : setup.pos)
         if (const int place = view.axis_by_name(name); place >= 0) {
             const auto i = static_cast<std::size_t>(place);
@@ -61,25 +64,34 @@ void place_axes(Core& core, const text::ChannelSetup& setup) {
     core.start_at_machine(machine);
 }
 
-// How many offsets the channels of this one's kind share; the one whose table they are in shares them as well.
+// How many offsets the channels of this one's kind share; the one whose table they are in shares
+// them as well.
 unsigned offsets_in_common(const MachineView& view) {
-    return static_cast<unsigned>(view.config().kind == ChannelKind::Mill ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
-                                                                         : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
+    return static_cast<unsigned>(
+        view.config().kind == ChannelKind::Mill
+            ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
+            : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
 }
 
-// What the interpreters of one check have in common, mapped from a file that the caller has made. Offsets are common to the channels of one
-// kind, N1401 to those that mill, N1412 to those that turn (nct_parameters_part1 15.1): each kind has cells of its own.
+// What the interpreters of one check have in common, mapped from a file that the caller has made.
+// Offsets are common to the channels of one kind, N1401 to those that mill, N1412 to those that
+// turn (nct_parameters_part1 15.1): each kind has cells of its own.
 class SharedCells {
 public:
-    SharedCells(const std::string& path, ChannelKind kind) : first_(kind == ChannelKind::Mill ? kMaxOffsets : 0) {
+    SharedCells(const std::string& path, ChannelKind kind)
+        : first_(kind == ChannelKind::Mill ? kMaxOffsets : 0) {
         if (path.empty()) return;
         const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
         if (file < 0) return;
-        void* const at = ::ftruncate(file, static_cast<off_t>(kBytes)) != 0 ? MAP_FAILED : ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        void* const at = ::ftruncate(file, static_cast<off_t>(kBytes)) != 0
+                             ? MAP_FAILED
+                             : ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         if (at != MAP_FAILED) cells_ = static_cast<double*>(at);
         ::close(file);
     }
-    ~SharedCells() { if (cells_) ::munmap(cells_, kBytes); }
+    ~SharedCells() {
+        if (cells_) ::munmap(cells_, kBytes);
+    }
     SharedCells(const SharedCells&) = delete;
     SharedCells& operator=(const SharedCells&) = delete;
     double* cells() const { return cells_; }
@@ -92,26 +104,42 @@ public:
     }
     void take(ChannelStore& store, unsigned count) const {
         for (std::size_t n = 1; n <= count && n < kMaxOffsets && n < store.offsets.size(); ++n)
-            if (const char* const at = place(n); *at) std::memcpy(static_cast<void*>(&store.offsets[n]), at + sizeof(double), sizeof(OffsetCell));
+            if (const char* const at = place(n); *at)
+                std::memcpy(static_cast<void*>(&store.offsets[n]), at + sizeof(double),
+                            sizeof(OffsetCell));
     }
 
 private:
-    static constexpr std::size_t kMaxOffsets = 1000, kOffsetBytes = sizeof(double) + sizeof(OffsetCell);   // written or not; the cell
-    static constexpr std::size_t kVariableBytes = 900 * sizeof(double), kBytes = kVariableBytes + 2 * kMaxOffsets * kOffsetBytes;
-    char* place(std::size_t n) const { return reinterpret_cast<char*>(cells_) + kVariableBytes + (first_ + n) * kOffsetBytes; }
+    // written or not; the cell
+    static constexpr std::size_t kMaxOffsets = 1000,
+                                 kOffsetBytes = sizeof(double) + sizeof(OffsetCell);
+    static constexpr std::size_t kVariableBytes = 900 * sizeof(double),
+                                 kBytes = kVariableBytes + 2 * kMaxOffsets * kOffsetBytes;
+    char* place(std::size_t n) const {
+        return reinterpret_cast<char*>(cells_) + kVariableBytes + (first_ + n) * kOffsetBytes;
+    }
     std::size_t first_;
     double* cells_ = nullptr;
 };
 
-// Remembers whether the next thing to do is to wait for the others, shows skip moves to the port and what is written to the round watch.
+// Remembers whether the next thing to do is to wait for the others, shows skip moves to the port
+// and what is written to the round watch.
 class WaitWatch final : public ForwardingSink {
 public:
-    WaitWatch(Sink& next, CheckPort& port, const MachineView& view, const SharedCells& shared, RoundWatch& rounds)
-        : ForwardingSink(&next), port_(&port), view_(&view), shared_(&shared), rounds_(&rounds), common_(offsets_in_common(view)) {}
+    WaitWatch(Sink& next, CheckPort& port, const MachineView& view, const SharedCells& shared,
+              RoundWatch& rounds)
+        : ForwardingSink(&next),
+          port_(&port),
+          view_(&view),
+          shared_(&shared),
+          rounds_(&rounds),
+          common_(offsets_in_common(view)) {}
     bool waiting = false;
-    const Core* core = nullptr;            // of the program that is read
-    std::optional<Diagnosis> stroke_end;   // a move came to the end of a stroke: nothing is driven behind it
-    BlockContext stroke_at;                // of that move: under compensation an earlier block than the one that is read
+    const Core* core = nullptr;  // of the program that is read
+    // a move came to the end of a stroke: nothing is driven behind it
+    std::optional<Diagnosis> stroke_end;
+    // of that move: under compensation an earlier block than the one that is read
+    BlockContext stroke_at;
     void move(const Move& m, const BlockContext& at) override {
         if (stroke_end) return;
         if (m.kind != MoveKind::Skip) {
@@ -131,11 +159,20 @@ public:
         next_->move(stopped, at);
         watch_stroke(stopped, at);
     }
-    void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
-    void variable(const Variable& v, const BlockContext& at) override { rounds_->wrote(v.name, v.value, v.text), next_->variable(v, at); }
+    void wait(const Wait& w, const BlockContext& at) override {
+        waiting = waiting || w.act == Wait::Act::Meet;
+        next_->wait(w, at);
+    }
+    void variable(const Variable& v, const BlockContext& at) override {
+        rounds_->wrote(v.name, v.value, v.text);
+        next_->variable(v, at);
+    }
     void offset(const OffsetWrite& o, const BlockContext& at) override {
         rounds_->wrote_offset(o);
-        if (shared_->cells() && !o.work && o.number >= 1 && static_cast<unsigned>(o.number) <= common_) shared_->put(static_cast<std::size_t>(o.number), view_->store->offsets[static_cast<std::size_t>(o.number)]);
+        if (shared_->cells() && !o.work && o.number >= 1 &&
+            static_cast<unsigned>(o.number) <= common_)
+            shared_->put(static_cast<std::size_t>(o.number),
+                         view_->store->offsets[static_cast<std::size_t>(o.number)]);
         next_->offset(o, at);
     }
     // The others have had their turn.
@@ -144,7 +181,8 @@ public:
     }
 
 private:
-    // The machine stops where a move would leave its stroke (nct_parameters_part1 11.4), also where nothing was checked before.
+    // The machine stops where a move would leave its stroke (nct_parameters_part1 11.4), also where
+    // nothing was checked before.
     void watch_stroke(const Move& m, const BlockContext& at) {
         if (!core || core->path.transformation.active()) return;
         StrokeZones zones;
@@ -165,14 +203,25 @@ private:
             AxisValues to = m.machine;
             if (k < pieces) {
                 const double share = static_cast<double>(k) / pieces;
-                for (unsigned i = 0; i < view_->axis_count; ++i) to[i] = m.machine_start[i] + share * (m.machine[i] - m.machine_start[i]);
-                const double first = std::atan2(m.machine_start[m.plane_q] - m.centre_q, m.machine_start[m.plane_p] - m.centre_p) + share * m.sweep;
+                for (unsigned i = 0; i < view_->axis_count; ++i)
+                    to[i] = m.machine_start[i] + share * (m.machine[i] - m.machine_start[i]);
+                const double first = std::atan2(m.machine_start[m.plane_q] - m.centre_q,
+                                                m.machine_start[m.plane_p] - m.centre_p) +
+                                     share * m.sweep;
                 to[m.plane_p] = m.centre_p + m.radius * std::cos(first);
                 to[m.plane_q] = m.centre_q + m.radius * std::sin(first);
             }
             StrokeFault fault;
-            if (free_part(zones, from.data(), to.data(), fault) < 1.0)
-                stroke_at = at, stroke_at.cycle = {}, stroke_at.tool = {}, stroke_end = Diagnosis{Alarm::StrokeLimit, {}, {fault.limit}, "A" + std::to_string(view_->axes[fault.axis].machine_axis + 1)};
+            if (free_part(zones, from.data(), to.data(), fault) < 1.0) {
+                stroke_at = at;
+                stroke_at.cycle = {};
+                stroke_at.tool = {};
+                stroke_end =
+                    Diagnosis{Alarm::StrokeLimit,
+                              {},
+                              {fault.limit},
+                              "A" + std::to_string(view_->axes[fault.axis].machine_axis + 1)};
+            }
             from = to;
         }
     }
@@ -188,18 +237,21 @@ private:
 bool may_follow(const MachineView& view) {
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const unsigned axis = view.axes[i].machine_axis + 1u;
-        if (params::get(view.table(), params::n2101_synchronous_master, axis) > 0 || params::get(view.table(), params::n2107_superimposed_master, axis) > 0) return true;
+        if (params::get(view.table(), params::n2101_synchronous_master, axis) > 0 ||
+            params::get(view.table(), params::n2107_superimposed_master, axis) > 0)
+            return true;
     }
     return false;
 }
 
 // "go SPINDLES": the others have had their turn; what is known of their spindles.
-bool ask_to_go_on(CheckPort& port) {
+bool ask_to_continue(CheckPort& port) {
     char line[64];
     if (!std::fgets(line, sizeof line, stdin)) return false;
     const std::string_view text(line);
     std::uint32_t spindles = 0;
-    if (text.starts_with("go ")) std::from_chars(text.data() + 3, text.data() + text.size(), spindles);
+    if (text.starts_with("go "))
+        std::from_chars(text.data() + 3, text.data() + text.size(), spindles);
     port.others_turn(spindles);
     return true;
 }
@@ -218,8 +270,12 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     MachineView view = make_machine_view(*machine.table, options.channel);
     scene.view = &view;
     if (!view.config().exists())
-        return refuse({Alarm::ProgramNumberMissing, {options.program, 0, 0, 0}, {}, {}}, scene, printer);
-    const std::string language = options.language.empty() ? std::string(params::get_text(*machine.table, params::pt_language, options.channel)) : options.language;
+        return refuse({Alarm::ProgramNumberMissing, {options.program, 0, 0, 0}, {}, {}}, scene,
+                      printer);
+    const std::string language =
+        options.language.empty()
+            ? std::string(params::get_text(*machine.table, params::pt_language, options.channel))
+            : options.language;
     scene.dialect = dialect_of(language);
 
     text::Setup setup;
@@ -245,7 +301,8 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     for (const std::string& path : own.subprograms) files.add_library(path);
     const std::string folder = std::filesystem::path(options.program).parent_path().string();
     files.add_folder(folder);
-    files.add_folders(params::get_text(*machine.table, params::pt_program_folders, options.channel), folder);
+    files.add_folders(params::get_text(*machine.table, params::pt_program_folders, options.channel),
+                      folder);
     const auto main = files.open(options.program);
     if (!main) return refuse(main.diagnosis(), scene, printer);
 
@@ -257,13 +314,16 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     RoundWatch rounds(options.most_blocks);
     WaitWatch sink(events, port, view, shared, rounds);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
-    if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
-    if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
+    if (!interpreter)
+        return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language},
+                      scene, printer);
+    if (const auto started = interpreter->start(*main); !started)
+        return refuse(started.diagnosis(), scene, printer);
     place_axes(interpreter->core(), own);
     sink.core = &interpreter->core();
     preset(*interpreter, own);
 
-    if (shared.cells() && !ask_to_go_on(port)) return 0;   // the programs take turns
+    if (shared.cells() && !ask_to_continue(port)) return 0;  // the programs take turns
     sink.take_common();
 
     for (;;) {
@@ -281,11 +341,12 @@ int run_check(const CheckOptions& options, std::FILE* out) {
             break;
         }
         if (step == Step::Continue && !sink.waiting) continue;
-        if (step == Step::AtBarrier && !sink.waiting) port.looked_at_machine();   // it asks for a live value
+        // it asks for a live value
+        if (step == Step::AtBarrier && !sink.waiting) port.looked_at_machine();
         if (sink.waiting) {
             sink.waiting = false;
             printer.flush();
-            if (!ask_to_go_on(port)) break;   // nobody is there who could release it
+            if (!ask_to_continue(port)) break;  // nobody is there who could release it
             sink.take_common();
         }
         if (step == Step::AtBarrier) interpreter->barrier_done();

@@ -1,4 +1,5 @@
-// Which block begins, goes on and ends compensation. The moves that come of it are made in nose_moves.cpp.
+// Which block begins, goes on and ends compensation. The moves that come of it are made in
+// nose_moves.cpp.
 #include "channels/compensation/compensator.hpp"
 
 #include "channels/compensation/interference.hpp"
@@ -18,7 +19,9 @@ void Compensator::set_options(const Options& options) {
     look_back_.configure(p_, q_, options.check == Check::Off ? 0 : options.look_back_blocks);
 }
 
-bool Compensator::closed() const { return state_ == State::Off && !holds() && !halted_ && !displaced() && !suspended_; }
+bool Compensator::closed() const {
+    return state_ == State::Off && !holds() && !halted_ && !displaced() && !suspended_;
+}
 
 void Compensator::pump() {
     if (failed_) {
@@ -53,9 +56,12 @@ void Compensator::halt_before_held(const BlockContext& at) {
 void Compensator::select(int side) {
     cancel_ = false;
     selected_ = true;
-    if (state_ == State::Off) state_ = State::Armed;
-    else if (state_ == State::Leaving) state_ = State::On;
-    else if (state_ == State::On && side == side_) repeated_ = true;
+    if (state_ == State::Off)
+        state_ = State::Armed;
+    else if (state_ == State::Leaving)
+        state_ = State::On;
+    else if (state_ == State::On && side == side_)
+        repeated_ = true;
     side_ = side;
 }
 
@@ -68,13 +74,14 @@ void Compensator::nose(double radius, Vec tip, bool has_offset, Vec offset_step)
 }
 
 bool Compensator::in_plane(const Move& m) const {
-    constexpr double kSame = 1e-9;   // as Core judges it
+    constexpr double kSame = 1e-9;  // as Core judges it
     if (m.offset_alone) return false;
-    return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame || std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;
+    return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame ||
+           std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;
 }
 
-// Where the move begins as seen with the offset that it ends with. Corners are made of what their two elements have there, each from
-// its own end of them.
+// Where the move begins as seen with the offset that it ends with. Corners are made of what their
+// two elements have there, each from its own end of them.
 Vec Compensator::contour_start(const Move& m) const { return begins_at(m) + offset_step_; }
 
 Element Compensator::element_of(const Move& m) const {
@@ -87,7 +94,7 @@ Element Compensator::element_of(const Move& m) const {
 
 void Compensator::move(const Move& m, const BlockContext& at) {
     if (failed_) return;
-    if (m.beside) {   // no move of the path
+    if (m.beside) {  // no move of the path
         queue().move(m, at);
         return pump();
     }
@@ -112,7 +119,7 @@ void Compensator::move(const Move& m, const BlockContext& at) {
         cancel_ = repeated_ = false;
         return;
     }
-    if (!in_plane(m)) {   // it waits with the others until the nose's place is known
+    if (!in_plane(m)) {  // it waits with the others until the nose's place is known
         if (held_) {
             trailing_.move(m, at);
         } else {
@@ -128,13 +135,17 @@ void Compensator::move(const Move& m, const BlockContext& at) {
     cancel_ = false;
     if (cancels && (state_ == State::Armed || state_ == State::Resuming)) state_ = State::Off;
     if (options_.rapid_suspends && m.kind == MoveKind::Rapid && state_ == State::On && !cancels) {
-        // Nothing is known yet of the cut behind it: it is the way there, or it is driven as programmed.
-        if (held_rapid()) finish_at_programmed();
-        else if (held_) finish(before_rapid());
+        // Nothing is known yet of the cut behind it: it is the way there, or it is driven as
+        // programmed.
+        if (held_rapid())
+            finish_at_programmed();
+        else if (held_)
+            finish(before_rapid());
         if (!failed_) hold(m, at, Role::Begin);
         return;
     }
-    if (options_.constant && state_ == State::On && !cancels) {   // CUTCONON: the vector of the last normal point stays
+    // CUTCONON: the vector of the last normal point stays
+    if (options_.constant && state_ == State::On && !cancels) {
         if (held_) settle();
         if (failed_) return;
         Move shifted = m;
@@ -144,14 +155,16 @@ void Compensator::move(const Move& m, const BlockContext& at) {
         return;
     }
     switch (state_) {
-        case State::Off: deliver(m, at); return;
+        case State::Off:
+            deliver(m, at);
+            return;
         case State::Armed:
         case State::Resuming:
             if (!has_offset_) {
                 deliver(m, at);
                 return;
             }
-            if (in_place_) {   // from where it stands square onto the contour
+            if (in_place_) {  // from where it stands square onto the contour
                 in_place_ = false;
                 start_ = Vectors::one({});
                 hold(m, at, Role::Contour);
@@ -167,8 +180,10 @@ void Compensator::move(const Move& m, const BlockContext& at) {
             state_ = State::On;
             return;
         case State::On:
-            if (cancels) cancel_block(m, at);
-            else contour_block(m, at);
+            if (cancels)
+                cancel_block(m, at);
+            else
+                contour_block(m, at);
             return;
         case State::Leaving:
             if (is_arc(m)) {
@@ -188,25 +203,29 @@ void Compensator::hold(const Move& m, const BlockContext& at, Role role) {
 }
 
 void Compensator::contour_block(const Move& m, const BlockContext& at) {
-    bool slow = false;   // the corner between the held element and this one
+    bool slow = false;  // the corner between the held element and this one
     if (held_) {
         const Element next = element_of(m);
         slow = slow_corner(block_, m, next);
         block_.slow_end = slow;
         CornerResult corner;
-        if (repeated_) corner.vectors = Vectors::one(block_.element.nose * block_.element.normal_at_end());
-        else if (block_.role == Role::Begin) corner = start_corner(from_nose(block_.element), next, options_);
-        else corner = offset_corner(block_.element, next, options_);
+        if (repeated_)
+            corner.vectors = Vectors::one(block_.element.nose * block_.element.normal_at_end());
+        else if (block_.role == Role::Begin)
+            corner = start_corner(from_nose(block_.element), next, options_);
+        else
+            corner = offset_corner(block_.element, next, options_);
         if (corner.fault != CornerFault::None) {
             fail(Alarm::CompNoIntersection, false, block_.at);
             return;
         }
         constexpr double kHalfTurn = 3.14159;
-        drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
+        drop_small(corner.vectors, options_.small_vector,
+                   next.arc && std::fabs(next.sweep) >= kHalfTurn);
         Vec gap;
         unsigned left_out = 0;
         if (!before_.empty() && !leave_out_short(next, corner, gap, left_out)) return;
-        if (first_) {   // the way in ends on an element farther on
+        if (first_) {  // the way in ends on an element farther on
             hold(m, at, Role::Contour);
             return;
         }
@@ -240,7 +259,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
 }
 
 void Compensator::cancel_block(const Move& m, const BlockContext& at) {
-    std::optional<Element> left;   // the way out is tangential to it
+    std::optional<Element> left;  // the way out is tangential to it
     if (is_arc(m)) {
         settle();
         if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
@@ -259,15 +278,19 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
     if (held_) {
         CornerResult corner;
         if (options_.rapid_suspends && m.kind == MoveKind::Rapid) {
-            if (held_rapid()) finish_at_programmed();
-            else if (!finish(before_rapid())) return;
+            if (held_rapid())
+                finish_at_programmed();
+            else if (!finish(before_rapid()))
+                return;
             wish_set_ = repeated_ = false;
             straight_to_programmed(m, at);
             state_ = State::Off;
             return;
         }
-        if (wish_set_) corner = retract_corner(block_.element, wish_);
-        else corner = cancel_corner(block_.element, to_nose(element_of(m)), options_);
+        if (wish_set_)
+            corner = retract_corner(block_.element, wish_);
+        else
+            corner = cancel_corner(block_.element, to_nose(element_of(m)), options_);
         drop_small(corner.vectors, options_.small_vector, false);
         if (options_.entry >= Entry::Smooth && !wish_set_) left = block_.element;
         if (!finish(corner.vectors)) return;
@@ -280,7 +303,8 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
     constant_ = false;
 }
 
-// Outside compensation the axes carry the tip: where the nose centre is at the free end of the way in and of the way out.
+// Outside compensation the axes carry the tip: where the nose centre is at the free end of the way
+// in and of the way out.
 Element Compensator::from_nose(Element e) const {
     if (options_.entry == Entry::Tangent) e.start = e.start - block_.tip;
     return e;
@@ -290,14 +314,18 @@ Element Compensator::to_nose(Element e) const {
     return e;
 }
 
-// The nose stops its radius before the end of the element: what stands there is not cut into (fagor 8.2.7).
+// The nose stops its radius before the end of the element: what stands there is not cut into (fagor
+// 8.2.7).
 Vectors Compensator::before_rapid() const {
     const Element& e = block_.element;
-    const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start), before = std::fmin(e.nose, way);
+    const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start),
+                 before = std::fmin(e.nose, way);
     const double path = e.arc ? e.nose_path_radius(e.end_radius) : 0.0;
-    if (path > before && e.end_radius > 0) {   // it stays on its circle about the centre, and touches the perpendicular there
+    // it stays on its circle about the centre, and touches the perpendicular there
+    if (path > before && e.end_radius > 0) {
         const Vec outwards = (1.0 / e.end_radius) * (e.end - e.centre);
-        return Vectors::one((std::sqrt(path * path - before * before) - e.end_radius) * outwards - before * e.end_dir);
+        return Vectors::one((std::sqrt(path * path - before * before) - e.end_radius) * outwards -
+                            before * e.end_dir);
     }
     return Vectors::one(e.nose * e.normal_at_end() - before * e.end_dir);
 }
@@ -318,7 +346,8 @@ void Compensator::settle() {
         return;
     }
     if (held_ && first_ && !failed_) fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-    if (held_ && !failed_) finish(Vectors::one(block_.element.nose * block_.element.normal_at_end()));
+    if (held_ && !failed_)
+        finish(Vectors::one(block_.element.nose * block_.element.normal_at_end()));
 }
 
 void Compensator::suspend() {
@@ -328,7 +357,8 @@ void Compensator::suspend() {
 
 void Compensator::bypass(Bypass how) {
     settle();
-    if (how == Bypass::None && bypass_ == Bypass::Plain && (state_ == State::On || state_ == State::Resuming))
+    if (how == Bypass::None && bypass_ == Bypass::Plain &&
+        (state_ == State::On || state_ == State::Resuming))
         state_ = options_.resume_at_intersection ? State::Resuming : State::Armed;
     bypass_ = how;
 }
@@ -340,7 +370,7 @@ void Compensator::drop_vector() {
 }
 
 void Compensator::block_done(bool counts) {
-    if (cancel_) {   // G40 in a block that does not move in the plane
+    if (cancel_) {  // G40 in a block that does not move in the plane
         settle();
         state_ = state_ == State::On && displaced() ? State::Leaving : State::Off;
         in_place_ = false;
@@ -349,13 +379,15 @@ void Compensator::block_done(bool counts) {
             state_ = State::Off;
         }
         cancel_ = wish_set_ = repeated_ = false;
-        if (!failed_) look_back_.let_out();   // the contour is over
+        if (!failed_) look_back_.let_out();  // the contour is over
     } else if (!moved_ && selected_ && state_ == State::Armed && options_.in_place) {
         in_place_ = true;
     } else if (!moved_ && held_) {
         if (counts) ++idle_blocks_;
-        if (idle_blocks_ > options_.idle_blocks && options_.idle_is_fault) fail(Alarm::CompIdleBlocks, true, block_.at);
-        else if (!options_.idle_is_fault && (zero_ || idle_blocks_ >= options_.idle_blocks)) settle();
+        if (idle_blocks_ > options_.idle_blocks && options_.idle_is_fault)
+            fail(Alarm::CompIdleBlocks, true, block_.at);
+        else if (!options_.idle_is_fault && (zero_ || idle_blocks_ >= options_.idle_blocks))
+            settle();
     }
     moved_ = zero_ = selected_ = false;
 }
@@ -373,7 +405,7 @@ bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
 }
 
 void Compensator::stop(const Stop& s, const BlockContext& at) {
-    if (s.reason != StopReason::M00 && s.reason != StopReason::M01) settle();   // nothing follows
+    if (s.reason != StopReason::M00 && s.reason != StopReason::M01) settle();  // nothing follows
     queue().stop(s, at);
     pump();
 }

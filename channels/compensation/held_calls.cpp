@@ -4,7 +4,8 @@ namespace polyturn::channels::compensation {
 
 bool HeldCalls::halts(const Call& call) {
     if (const Aux* aux = std::get_if<Aux>(&call.what)) return aux->drained;
-    if (const Stop* stop = std::get_if<Stop>(&call.what)) return stop->asked && (stop->reason == StopReason::M00 || stop->reason == StopReason::M01);
+    if (const Stop* stop = std::get_if<Stop>(&call.what))
+        return stop->asked && (stop->reason == StopReason::M00 || stop->reason == StopReason::M01);
     if (const Wait* wait = std::get_if<Wait>(&call.what)) return wait->act != Wait::Act::Arrive;
     return std::holds_alternative<Barrier>(call.what);
 }
@@ -21,12 +22,32 @@ void HeldCalls::make(Call& call, Sink& to) {
         Sink& to;
         void operator()(Move& m) { to.move(m, call.at); }
         void operator()(Dwell& d) { to.dwell(d, call.at); }
-        void operator()(Aux& a) { a.text = call.text, a.name = call.second, to.aux(a, call.at); }
+        void operator()(Aux& a) {
+            a.text = call.text;
+            a.name = call.second;
+            to.aux(a, call.at);
+        }
         void operator()(Spindle& s) { to.spindle(s, call.at); }
-        void operator()(Wait& w) { w.marker = call.text, to.wait(w, call.at); }
-        void operator()(Variable& v) { v.name = call.text, v.text = call.second, to.variable(v, call.at); }
-        void operator()(OffsetWrite& o) { o.table = call.text, o.axis = call.second, o.zero_name = call.third, to.offset(o, call.at); }
-        void operator()(ToolWrite& w) { w.field = call.text, w.text = call.second, to.tool_write(w, call.at); }
+        void operator()(Wait& w) {
+            w.marker = call.text;
+            to.wait(w, call.at);
+        }
+        void operator()(Variable& v) {
+            v.name = call.text;
+            v.text = call.second;
+            to.variable(v, call.at);
+        }
+        void operator()(OffsetWrite& o) {
+            o.table = call.text;
+            o.axis = call.second;
+            o.zero_name = call.third;
+            to.offset(o, call.at);
+        }
+        void operator()(ToolWrite& w) {
+            w.field = call.text;
+            w.text = call.second;
+            to.tool_write(w, call.at);
+        }
         void operator()(LifeGroup& g) { to.life_group(g, call.at); }
         void operator()(Message&) { to.message(call.text, call.at); }
         void operator()(Print&) { to.print(call.text, call.at); }

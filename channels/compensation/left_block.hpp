@@ -4,10 +4,12 @@
 
 namespace polyturn::channels::compensation {
 
-// These tell of the block behind the held one, whose own end stands: the tool comes to rest there. Behind any other error
-// nothing is known, and a block that ends at its normal could cut into an inner corner: it is not begun.
+// These tell of the block behind the held one, whose own end stands: the tool comes to rest there.
+// Behind any other error nothing is known, and a block that ends at its normal could cut into an
+// inner corner: it is not begun.
 inline bool leaves_held_block(Alarm alarm) {
-    return alarm == Alarm::CompArcStartEnd || alarm == Alarm::CompPlaneChanged || alarm == Alarm::CompArcCentre;
+    return alarm == Alarm::CompArcStartEnd || alarm == Alarm::CompPlaneChanged ||
+           alarm == Alarm::CompArcCentre;
 }
 
 }  // namespace polyturn::channels::compensation

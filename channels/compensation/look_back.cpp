@@ -3,7 +3,7 @@
 namespace polyturn::channels::compensation {
 namespace {
 
-constexpr double kSame = 1e-6;   // mm: the paths only touch at an end
+constexpr double kSame = 1e-6;  // mm: the paths only touch at an end
 
 bool at_an_end(const Element& a, const Element& b, Vec point) {
     for (const Vec end : {a.start, a.end, b.start, b.end})
@@ -32,11 +32,15 @@ void LookBack::move(const Move& m, const BlockContext& at) {
 
 void LookBack::aux(const Aux& a, const BlockContext& at) {
     if (a.drained) let_out();
-    holds() ? behind().aux(a, at) : out_->aux(a, at);
+    if (holds())
+        behind().aux(a, at);
+    else
+        out_->aux(a, at);
 }
 
 void LookBack::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
-    if (diagnosis.severity() == Severity::Error) let_out();   // what stands before the fault is driven
+    // what stands before the fault is driven
+    if (diagnosis.severity() == Severity::Error) let_out();
     out_->alarm(diagnosis, at);
 }
 
@@ -63,12 +67,16 @@ Element LookBack::path_of(const Move& m) const {
 
 // Do both pass a point, beside those where one of them begins or ends?
 bool LookBack::cross(const Piece& a, const Piece& b) const {
-    const auto goes = [&](const Move& m) { return (m.moved & (1u << p_ | 1u << q_)) != 0 && !m.through; };
+    const auto goes = [&](const Move& m) {
+        return (m.moved & (1u << p_ | 1u << q_)) != 0 && !m.through;
+    };
     if (!goes(a.move) || !goes(b.move)) return false;
     const Element one = path_of(a.move), other = path_of(b.move);
     const Crossings points = crossings(one, other);
     for (int i = 0; i < points.count; ++i)
-        if (on_nose_path(one, points.at[i]) && on_nose_path(other, points.at[i]) && !at_an_end(one, other, points.at[i])) return true;
+        if (on_nose_path(one, points.at[i]) && on_nose_path(other, points.at[i]) &&
+            !at_an_end(one, other, points.at[i]))
+            return true;
     return false;
 }
 
@@ -79,7 +87,9 @@ bool LookBack::cross_as_programmed(std::uint64_t a, std::uint64_t b) const {
     const Element &one = programmed_[a - first], &other = programmed_[b - first];
     const Crossings points = crossings(one, other);
     for (int i = 0; i < points.count; ++i)
-        if (on_nose_path(one, points.at[i]) && on_nose_path(other, points.at[i]) && !at_an_end(one, other, points.at[i])) return true;
+        if (on_nose_path(one, points.at[i]) && on_nose_path(other, points.at[i]) &&
+            !at_an_end(one, other, points.at[i]))
+            return true;
     return false;
 }
 
@@ -89,8 +99,9 @@ std::optional<BlockContext> LookBack::end_block() {
     std::size_t newest = pieces_.size();
     while (newest > 0 && pieces_[newest - 1].block == block_) --newest;
     for (std::size_t b = newest; b < pieces_.size(); ++b)
-        for (std::size_t a = 0; a + 1 < b; ++a) {   // two pieces in succession meet anyway
-            if (!cross(pieces_[a], pieces_[b]) || cross_as_programmed(pieces_[a].block, block_)) continue;
+        for (std::size_t a = 0; a + 1 < b; ++a) {  // two pieces in succession meet anyway
+            if (!cross(pieces_[a], pieces_[b]) || cross_as_programmed(pieces_[a].block, block_))
+                continue;
             const BlockContext fault = pieces_[a].at;
             let_out_before(pieces_[a].block);
             forget();

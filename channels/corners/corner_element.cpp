@@ -7,9 +7,9 @@ namespace {
 
 using namespace compensation;
 
-constexpr double kFit = 1e-6;      // mm: so much beyond the end is rounding
-constexpr double kSmooth = 1e-7;   // sine of the angle below which a corner is none
-constexpr int kHalvings = 60;      // of a size: far below a nanometre
+constexpr double kFit = 1e-6;     // mm: so much beyond the end is rounding
+constexpr double kSmooth = 1e-7;  // sine of the angle below which a corner is none
+constexpr int kHalvings = 60;     // of a size: far below a nanometre
 
 Vec turned(Vec v, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -17,7 +17,8 @@ Vec turned(Vec v, double angle) {
 }
 
 bool fits(const Element& a, const Element& b, const Corner& corner) {
-    return corner.cut_a > -kFit && corner.cut_b > -kFit && corner.cut_a < path_length(a) + kFit && corner.cut_b < path_length(b) + kFit;
+    return corner.cut_a > -kFit && corner.cut_b > -kFit && corner.cut_a < path_length(a) + kFit &&
+           corner.cut_b < path_length(b) + kFit;
 }
 
 Fit chamfer_by_leg(const Element& a, const Element& b, double leg, Corner& corner) {
@@ -26,10 +27,13 @@ Fit chamfer_by_leg(const Element& a, const Element& b, double leg, Corner& corne
 }
 
 Fit chamfer_by_length(const Element& a, const Element& b, double size, Corner& corner) {
-    const double turn = std::fabs(std::atan2(cross(a.end_dir, b.start_dir), dot(a.end_dir, b.start_dir)));
+    const double turn =
+        std::fabs(std::atan2(cross(a.end_dir, b.start_dir), dot(a.end_dir, b.start_dir)));
     if (!a.arc && !b.arc) return chamfer_by_leg(a, b, size / (2.0 * std::cos(turn / 2)), corner);
     double low = 0.0, high = std::fmin(path_length(a), path_length(b));
-    const auto length_at = [&](double leg) { return length(point_behind_start(b, leg) - point_before_end(a, leg)); };
+    const auto length_at = [&](double leg) {
+        return length(point_behind_start(b, leg) - point_before_end(a, leg));
+    };
     if (length_at(high) < size - kFit) return Fit::TooLarge;
     for (int n = 0; n < kHalvings; ++n) {
         const double middle = (low + high) / 2;
@@ -50,9 +54,11 @@ void touch(const Element& e, Vec m, bool at_end, Vec& point, double& cut) {
     const double radius = at_end ? e.end_radius : e.start_radius;
     const Vec to_corner = (at_end ? e.end : e.start) - e.centre, to_touch = unit(m - e.centre);
     point = e.centre + radius * to_touch;
-    double angle = std::atan2(cross(to_corner, to_touch), dot(to_corner, to_touch));   // from the corner to the touch
+    // from the corner to the touch
+    double angle = std::atan2(cross(to_corner, to_touch), dot(to_corner, to_touch));
     if ((e.sweep > 0) == at_end) angle = -angle;
-    if (angle < 0 && angle * radius < -kFit) angle += kTurn;   // behind the corner only: the long way round
+    // behind the corner only: the long way round
+    if (angle < 0 && angle * radius < -kFit) angle += kTurn;
     cut = angle * radius;
 }
 
@@ -74,13 +80,15 @@ Fit rounding(Element a, Element b, double radius, Corner& corner) {
     return fits(a, b, corner) ? Fit::Made : Fit::TooLarge;
 }
 
-// From `far` tangentially onto the circle that touches direction d in `corner`; forward: towards it, else away from it.
+// From `far` tangentially onto the circle that touches direction d in `corner`; forward: towards
+// it, else away from it.
 Fit tangential(Vec far, Vec corner_point, Vec d, double radius, bool forward, Corner& corner) {
     const double way = length(far - corner_point);
     const double aside = cross(d, far - corner_point);
     if (way < 2 * radius - kFit) return Fit::TooLarge;
-    if (std::fabs(aside) < kFit * way) return Fit::TooLarge;   // on the tangent itself: no circle leads there
-    const double left = aside > 0 ? 1.0 : -1.0;                // the circle turns that way
+    // on the tangent itself: no circle leads there
+    if (std::fabs(aside) < kFit * way) return Fit::TooLarge;
+    const double left = aside > 0 ? 1.0 : -1.0;  // the circle turns that way
     corner.arc = true;
     corner.centre = corner_point + (left * radius) * left_of(d);
     const Vec out = far - corner.centre;
@@ -99,7 +107,8 @@ Fit tangential(Vec far, Vec corner_point, Vec d, double radius, bool forward, Co
 }  // namespace
 
 double path_length(const Element& e) {
-    return e.arc ? std::fabs(e.sweep) * (e.start_radius + e.end_radius) / 2 : length(e.end - e.start);
+    return e.arc ? std::fabs(e.sweep) * (e.start_radius + e.end_radius) / 2
+                 : length(e.end - e.start);
 }
 
 Vec point_before_end(const Element& e, double distance) {
@@ -109,24 +118,33 @@ Vec point_before_end(const Element& e, double distance) {
 
 Vec point_behind_start(const Element& e, double distance) {
     if (!e.arc) return e.start + distance * e.start_dir;
-    return e.centre + turned(e.start - e.centre, (e.sweep > 0 ? distance : -distance) / e.start_radius);
+    return e.centre +
+           turned(e.start - e.centre, (e.sweep > 0 ? distance : -distance) / e.start_radius);
 }
 
 Fit make_corner(const Element& a, const Element& b, Shape shape, double size, Corner& corner) {
     corner = {};
-    if (shape == Shape::Entry) return a.arc ? Fit::NotStraight : tangential(a.start, a.end, b.start_dir, size, true, corner);
-    if (shape == Shape::Exit) return b.arc ? Fit::NotStraight : tangential(b.end, a.end, a.end_dir, size, false, corner);
+    if (shape == Shape::Entry)
+        return a.arc ? Fit::NotStraight
+                     : tangential(a.start, a.end, b.start_dir, size, true, corner);
+    if (shape == Shape::Exit)
+        return b.arc ? Fit::NotStraight : tangential(b.end, a.end, a.end_dir, size, false, corner);
     if (std::fabs(cross(a.end_dir, b.start_dir)) < kSmooth) return Fit::Smooth;
     switch (shape) {
-        case Shape::Rounding: return rounding(a, b, size, corner);
-        case Shape::ChamferLeg: return chamfer_by_leg(a, b, size, corner);
-        case Shape::ChamferLength: return chamfer_by_length(a, b, size, corner);
-        default: break;
+        case Shape::Rounding:
+            return rounding(a, b, size, corner);
+        case Shape::ChamferLeg:
+            return chamfer_by_leg(a, b, size, corner);
+        case Shape::ChamferLength:
+            return chamfer_by_length(a, b, size, corner);
+        default:
+            break;
     }
     return Fit::Smooth;
 }
 
-Fit make_largest_corner(const Element& a, const Element& b, Shape shape, double size, Corner& corner) {
+Fit make_largest_corner(const Element& a, const Element& b, Shape shape, double size,
+                        Corner& corner) {
     const Fit fit = make_corner(a, b, shape, size, corner);
     if (fit != Fit::TooLarge) return fit;
     double low = 0.0, high = size;

@@ -9,7 +9,8 @@ void ContourRecorder::move(const Move& move, const BlockContext& at) {
     const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw;
     const bool line = move.kind == MoveKind::Rapid || move.kind == MoveKind::Linear;
     if (only_plane && line && !(move.moved & plane)) return;
-    if ((!arc && !line) || (!only_plane && (move.moved & ~plane)) || (arc && (move.plane_p != z_ || move.plane_q != x_ || move.turns != 0))) {
+    if ((!arc && !line) || (!only_plane && (move.moved & ~plane)) ||
+        (arc && (move.plane_p != z_ || move.plane_q != x_ || move.turns != 0))) {
         foreign = at;
         return;
     }

@@ -1,4 +1,5 @@
-// The contour between the blocks P and Q of a stock removal cycle, as the language has interpreted it without output.
+// The contour between the blocks P and Q of a stock removal cycle, as the language has interpreted
+// it without output.
 //
 //     A (where the cycle is called)
 //     |  first block: approach, G0 or G1
@@ -15,21 +16,21 @@
 namespace polyturn::channels::cycles {
 
 struct Point {
-    double z = 0.0, x = 0.0;        // workpiece system, true mm, X as a radius
+    double z = 0.0, x = 0.0;  // workpiece system, true mm, X as a radius
 };
 
 struct Element {
     enum class Form : std::uint8_t { Line, ArcCw, ArcCcw } form = Form::Line;
     Point from, to;
-    Point centre;                   // arcs
+    Point centre;  // arcs
     double radius = 0.0;
-    double first_angle = 0.0, sweep = 0.0;   // rad in the plane Z X; sweep positive from Z to X
+    double first_angle = 0.0, sweep = 0.0;  // rad in the plane Z X; sweep positive from Z to X
     bool rapid = false;
     BlockContext at;
 };
 
 struct Contour {
-    Point start, first;             // A and A'
+    Point start, first;  // A and A'
     bool approach_rapid = true;
     bool first_names_z = false, first_names_x = false;
     BlockContext first_block;
@@ -37,22 +38,26 @@ struct Contour {
     Point end() const { return elements.empty() ? first : elements.back().to; }
 };
 
-// Stands in the sink's place while the blocks are interpreted: keeps moves, swallows everything else.
+// Stands in the sink's place while the blocks are interpreted: keeps moves, swallows everything
+// else.
 class ContourRecorder final : public Sink {
 public:
     ContourRecorder(unsigned z_place, unsigned x_place) : z_(z_place), x_(x_place) {}
 
     Contour contour;
-    std::optional<Diagnosis> error;      // told by the block that failed
-    std::optional<BlockContext> foreign; // a block that is no part of a contour: a thread, a move outside the plane, a wait
-    bool only_plane = false;             // what axes beside the plane do counts for nothing
+    std::optional<Diagnosis> error;  // told by the block that failed
+    // a block that is no part of a contour: a thread, a move outside the plane, a wait
+    std::optional<BlockContext> foreign;
+    bool only_plane = false;  // what axes beside the plane do counts for nothing
 
     void from(Point point) { here_ = point; }
     void move(const Move& move, const BlockContext& at) override;
     void alarm(const Diagnosis& diagnosis, const BlockContext& at) override;
     void wait(const Wait&, const BlockContext& at) override { foreign = at; }
-    void stop(const Stop& stop, const BlockContext& at) override {   // an end of the program tells the reader by itself
-        if (stop.asked && (stop.reason == StopReason::M00 || stop.reason == StopReason::M01)) foreign = at;
+    // an end of the program tells the reader by itself
+    void stop(const Stop& stop, const BlockContext& at) override {
+        if (stop.asked && (stop.reason == StopReason::M00 || stop.reason == StopReason::M01))
+            foreign = at;
     }
     void barrier(const BlockContext& at) override { foreign = at; }
     void offset(const OffsetWrite&, const BlockContext& at) override { foreign = at; }

@@ -1,4 +1,5 @@
-// The moves of a cycle in the plane Z X, given to Core: compensation shifts them as a whole (fanuc_lathe 3.20).
+// The moves of a cycle in the plane Z X, given to Core: compensation shifts them as a whole
+// (fanuc_lathe 3.20).
 #pragma once
 #include <utility>
 
@@ -7,7 +8,8 @@
 
 namespace polyturn::channels::cycles {
 
-// A stroke of a pass. The strokes of one are joined under G61 too: behind an exact stop a thread begins anew.
+// A stroke of a pass. The strokes of one are joined under G61 too: behind an exact stop a thread
+// begins anew.
 inline bool thread_stroke(Core& core, const AxisValues& to, const ThreadCall& call) {
     const bool exact = std::exchange(core.path.exact_stop_mode, false);
     const bool good = core.thread(to, call);
@@ -18,15 +20,19 @@ inline bool thread_stroke(Core& core, const AxisValues& to, const ThreadCall& ca
 class CycleMoves {
 public:
     explicit CycleMoves(Core& core) : core_(&core) {
-        int z = core.view().axis_by_role(PlaneRole::BasicZ), x = core.view().axis_by_role(PlaneRole::BasicX);
-        if (core.path.plane_p >= 0) core.plane_axes(z, x);   // a plane of any two axes: abscissa and ordinate take their parts
+        int z = core.view().axis_by_role(PlaneRole::BasicZ),
+            x = core.view().axis_by_role(PlaneRole::BasicX);
+        // a plane of any two axes: abscissa and ordinate take their parts
+        if (core.path.plane_p >= 0) core.plane_axes(z, x);
         if (z < 0 || x < 0) return;
         z_ = static_cast<unsigned>(z);
         x_ = static_cast<unsigned>(x);
         ready_ = true;
         core.begin_cycle(Core::CycleMoves::Shifted);
     }
-    ~CycleMoves() { if (ready_) core_->end_cycle(); }
+    ~CycleMoves() {
+        if (ready_) core_->end_cycle();
+    }
     CycleMoves(const CycleMoves&) = delete;
     CycleMoves& operator=(const CycleMoves&) = delete;
 
@@ -37,7 +43,9 @@ public:
     Point here() const { return {core_->path.programmed[z_], core_->path.programmed[x_]}; }
     bool rapid(Point to) { return core_->rapid(target(to)); }
     bool linear(Point to) { return core_->linear(target(to)); }
-    bool thread(Point to, const ThreadCall& call) { return thread_stroke(*core_, target(to), call); }
+    bool thread(Point to, const ThreadCall& call) {
+        return thread_stroke(*core_, target(to), call);
+    }
     bool arc(Point to, Point centre, bool clockwise, double tolerance) {
         ArcCall call;
         call.clockwise = clockwise;

@@ -27,7 +27,9 @@ bool turn_for(Core& core, const Drilling& hole, SpindleTurn direction) {
     return core.spindle_turn(direction) && core.commit_spindle();
 }
 
-SpindleTurn forward_of(const Drilling& hole) { return hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw; }
+SpindleTurn forward_of(const Drilling& hole) {
+    return hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
+}
 
 // The spindle turns back and the axis follows it to `level`.
 bool out_of_thread(Core& core, const Drilling& hole, double level, double factor) {
@@ -39,16 +41,21 @@ bool out_of_thread(Core& core, const Drilling& hole, double level, double factor
     return good;
 }
 
-// Tapping in pecks: a short way back (chip break), or out of the hole and back to shortly above the last depth.
+// Tapping in pecks: a short way back (chip break), or out of the hole and back to shortly above the
+// last depth.
 bool tap_in_pecks(Core& core, const Drilling& hole) {
-    const double step = std::copysign(hole.peck, hole.bottom - hole.r_level), up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
+    const double step = std::copysign(hole.peck, hole.bottom - hole.r_level),
+                 up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
     double depth = hole.r_level;
-    for (;;) {   // drill() has counted them
+    for (;;) {  // drill() has counted them
         const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
         depth = last ? hole.bottom : depth + step;
         if (!to(core, hole, depth, false)) return false;
         if (last) return true;
-        if (!out_of_thread(core, hole, hole.chip_break ? depth + up : hole.r_level, hole.out_factor) || !turn_for(core, hole, forward_of(hole))) return false;
+        if (!out_of_thread(core, hole, hole.chip_break ? depth + up : hole.r_level,
+                           hole.out_factor) ||
+            !turn_for(core, hole, forward_of(hole)))
+            return false;
         if (hole.chip_break) continue;
         const double feed = core.path.feed;
         core.path.feed = feed * hole.return_factor;
@@ -63,7 +70,7 @@ bool peck(Core& core, const Drilling& hole) {
     const double step = std::copysign(hole.peck, hole.bottom - hole.r_level);
     const double up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
     double depth = hole.r_level;
-    for (;;) {   // drill() has counted them
+    for (;;) {  // drill() has counted them
         const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
         depth = last ? hole.bottom : depth + step;
         if (!to(core, hole, depth, false)) return false;
@@ -71,7 +78,8 @@ bool peck(Core& core, const Drilling& hole) {
         if (hole.chip_break) {
             if (!to(core, hole, depth + up, true)) return false;
         } else {
-            if (!to(core, hole, hole.r_level, true) || !to(core, hole, depth + up, true)) return false;
+            if (!to(core, hole, hole.r_level, true) || !to(core, hole, depth + up, true))
+                return false;
         }
     }
 }
@@ -90,7 +98,8 @@ bool level(Core& core, const AxialHole& hole, double to, bool rapid) {
 
 bool drill_axial(Core& core, const AxialHole& hole) {
     constexpr int kMostPecks = 100'000;
-    const double away = hole.bottom < hole.surface ? 1.0 : -1.0, total = std::fabs(hole.bottom - hole.surface);
+    const double away = hole.bottom < hole.surface ? 1.0 : -1.0,
+                 total = std::fabs(hole.bottom - hole.surface);
     const double approach = hole.approach[hole.axis];
     if (!core.rapid(hole.approach)) return false;
     double depth = std::fmin(hole.peck, total), peck = hole.peck;
@@ -98,8 +107,10 @@ bool drill_axial(Core& core, const AxialHole& hole) {
     for (int count = 0; depth < total - 1e-9; ++count) {
         const double last = hole.surface - away * depth;
         peck = std::fmax(peck * hole.factor, hole.least);
-        if (count == kMostPecks || !(peck > 0)) return core.fail(Alarm::CycleValueIllegal, 'B', "B", hole.peck);
-        const double back = hole.retract > 0 ? last + away * hole.retract : approach;   // as far as it says, beyond the approach point too
+        if (count == kMostPecks || !(peck > 0))
+            return core.fail(Alarm::CycleValueIllegal, 'B', "B", hole.peck);
+        // as far as it says, beyond the approach point too
+        const double back = hole.retract > 0 ? last + away * hole.retract : approach;
         if (!level(core, hole, back, true)) return false;
         const double near = last + away * hole.clearance;
         if (away * near < away * back - 1e-9 && !level(core, hole, near, true)) return false;
@@ -110,27 +121,33 @@ bool drill_axial(Core& core, const AxialHole& hole) {
     return level(core, hole, approach, true);
 }
 
-// The spindle is led by the axis, into the hole and out of it: oriented, or from where its loop has closed.
+// The spindle is led by the axis, into the hole and out of it: oriented, or from where its loop has
+// closed.
 static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
     PathState& path = core.path;
     Core::TapLoop loop;
     if (!core.rigid_loop(loop, hole.tap == AxialHole::Tap::Oriented)) return false;
     const double rpm = path.spindle.rpm;
-    const double pitch = path.feed_mode == FeedMode::PerRevolution ? path.feed : rpm > 0 ? path.feed / rpm : 0.0;
+    const double pitch = path.feed_mode == FeedMode::PerRevolution ? path.feed
+                         : rpm > 0                                 ? path.feed / rpm
+                                                                   : 0.0;
     if (!(pitch > 0)) return core.fail(Alarm::LeadMissing, 'F');
     if (loop.orients) {
         if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
-        core.aux('M', 19, "M19", false);   // the PLC closes the loop and answers when it stands there
-    } else {   // never turned free of the loop in between: it brakes as the loop closes
+        // the PLC closes the loop and answers when it stands there
+        core.aux('M', 19, "M19", false);
+    } else {  // never turned free of the loop in between: it brakes as the loop closes
         core.aux('M', loop.code, "M" + std::to_string(static_cast<long>(loop.code)), false);
     }
-    path.spindle.turn = in;   // the moves know its speed, though it stands
+    path.spindle.turn = in;  // the moves know its speed, though it stands
     const bool locked = path.override_locked;
     path.override_locked = true;
     path.tap_pitch = in == SpindleTurn::Cw ? pitch : -pitch;
     path.tap_axis = static_cast<std::uint8_t>(hole.axis);
     path.tap_depth_sign = hole.bottom < hole.approach[hole.axis] ? -1.0 : 1.0;
-    const bool good = level(core, hole, hole.bottom, false) && (hole.dwell <= 0 || core.dwell(hole.dwell, false)) && level(core, hole, hole.approach[hole.axis], false);
+    const bool good = level(core, hole, hole.bottom, false) &&
+                      (hole.dwell <= 0 || core.dwell(hole.dwell, false)) &&
+                      level(core, hole, hole.approach[hole.axis], false);
     path.tap_pitch = 0.0;
     path.override_locked = locked;
     path.spindle.turn = SpindleTurn::Stop;
@@ -142,9 +159,10 @@ static bool tap_hole(Core& core, const AxialHole& hole, SpindleTurn in) {
     if (hole.tap != AxialHole::Tap::Floating) return tap_led(core, hole, in);
     const bool locked = core.path.override_locked;
     core.path.override_locked = true;
-    const bool good = level(core, hole, hole.bottom, false) &&
-                      (hole.dwell <= 0 || (turn(core, SpindleTurn::Stop) && core.dwell(hole.dwell, false))) && turn(core, back) &&
-                      level(core, hole, hole.approach[hole.axis], false);
+    const bool good =
+        level(core, hole, hole.bottom, false) &&
+        (hole.dwell <= 0 || (turn(core, SpindleTurn::Stop) && core.dwell(hole.dwell, false))) &&
+        turn(core, back) && level(core, hole, hole.approach[hole.axis], false);
     core.path.override_locked = locked;
     return good && turn(core, in);
 }
@@ -174,7 +192,8 @@ bool close_loop(Core& core, const Drilling& hole) {
         if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
         core.aux('M', 19, "M19", false);
     } else {
-        core.aux('M', hole.closing_code, "M" + std::to_string(static_cast<long>(hole.closing_code)), false);
+        core.aux('M', hole.closing_code, "M" + std::to_string(static_cast<long>(hole.closing_code)),
+                 false);
     }
     if (!core.spindle_turn(forward_of(hole)) || !core.commit_spindle()) return false;
     PathState& path = core.path;
@@ -192,7 +211,7 @@ bool open_loop(Core& core) {
 }
 
 // The edge points away from the wall that it leaves.
-bool orient_beside(Core& core, const Drilling& hole) {
+bool orient_asynchronously(Core& core, const Drilling& hole) {
     if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
     core.aux('M', 19, "M19", false);
     return aside(core, hole, 1.0);
@@ -200,25 +219,32 @@ bool orient_beside(Core& core, const Drilling& hole) {
 
 bool bore_back(Core& core, const Drilling& hole) {
     const SpindleTurn in = core.path.spindle.turn;
-    if (!orient_beside(core, hole) || !to(core, hole, hole.r_level, true) || !aside(core, hole, -1.0) || !turn(core, in)) return false;
-    if (!to(core, hole, hole.bottom, false) || (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions))) return false;
-    return orient_beside(core, hole) && to(core, hole, hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
+    if (!orient_asynchronously(core, hole) || !to(core, hole, hole.r_level, true) ||
+        !aside(core, hole, -1.0) || !turn(core, in))
+        return false;
+    if (!to(core, hole, hole.bottom, false) ||
+        (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)))
+        return false;
+    return orient_asynchronously(core, hole) && to(core, hole, hole.initial, true) &&
+           aside(core, hole, -1.0) && turn(core, in);
 }
 
 bool drill_hole(Core& core, const Drilling& hole) {
-    if (hole.way_out == Drilling::Way::Back) return bore_back(core, hole);
+    if (hole.travel_out == Drilling::Way::Back) return bore_back(core, hole);
     if (!to(core, hole, hole.r_level, true)) return false;
     if (hole.rigid && !close_loop(core, hole)) return false;
     const SpindleTurn in = core.path.spindle.turn;
-    const bool taps = hole.way_out == Drilling::Way::Tap;
-    if (hole.peck > 0 ? !(taps ? tap_in_pecks(core, hole) : peck(core, hole)) : !to(core, hole, hole.bottom, false)) return false;
+    const bool taps = hole.travel_out == Drilling::Way::Tap;
+    if (hole.peck > 0 ? !(taps ? tap_in_pecks(core, hole) : peck(core, hole))
+                      : !to(core, hole, hole.bottom, false))
+        return false;
     if (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
     const double feed = core.path.feed;
-    switch (hole.way_out) {
+    switch (hole.travel_out) {
         case Drilling::Way::Rapid:
             return to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true);
         case Drilling::Way::Feed:
-            core.path.feed = feed * hole.way_out_factor;
+            core.path.feed = feed * hole.travel_out_factor;
             if (!to(core, hole, hole.r_level, false)) return false;
             core.path.feed = feed;
             break;
@@ -227,11 +253,15 @@ bool drill_hole(Core& core, const Drilling& hole) {
             if (!to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true)) return false;
             return turn(core, in);
         case Drilling::Way::Fine:
-            return orient_beside(core, hole) && to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
-        case Drilling::Way::Back: break;   // bore_back()
+            return orient_asynchronously(core, hole) &&
+                   to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true) &&
+                   aside(core, hole, -1.0) && turn(core, in);
+        case Drilling::Way::Back:
+            break;  // bore_back()
         case Drilling::Way::Tap:
             if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
-            if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
+            if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions))
+                return false;
             if (hole.rigid ? !open_loop(core) : !turn(core, forward_of(hole))) return false;
             break;
     }
@@ -242,8 +272,10 @@ bool drill_hole(Core& core, const Drilling& hole) {
 
 bool drill(Core& core, const Drilling& hole) {
     constexpr double kMostPecks = 100'000;
-    if (hole.peck > 0 && std::fabs(hole.bottom - hole.r_level) / hole.peck > kMostPecks) return core.fail(Alarm::CycleValueIllegal, 'Q', "Q", hole.peck);
-    const bool floating = hole.way_out == Drilling::Way::Tap && !hole.rigid;   // nothing ties the feed to the spindle but their two numbers
+    if (hole.peck > 0 && std::fabs(hole.bottom - hole.r_level) / hole.peck > kMostPecks)
+        return core.fail(Alarm::CycleValueIllegal, 'Q', "Q", hole.peck);
+    // nothing ties the feed to the spindle but their two numbers
+    const bool floating = hole.travel_out == Drilling::Way::Tap && !hole.rigid;
     if (!hole.rigid && !floating) return drill_hole(core, hole);
     PathState& path = core.path;
     const bool locked = path.override_locked;

@@ -17,18 +17,19 @@ struct Level {
 struct Piece {
     Level from, to;
     bool arc = false;
-    bool clockwise = false;         // as programmed, in the plane Z X
+    bool clockwise = false;  // as programmed, in the plane Z X
     Level centre;
     double radius = 0.0;
-    std::size_t element = 0;        // of the contour
-    double at_height(double h) const;   // s where the piece has this height, for a height between its ends
+    std::size_t element = 0;  // of the contour
+    // s where the piece has this height, for a height between its ends
+    double at_height(double h) const;
 };
 
 // Where the contour is not higher than a level.
 struct Opening {
-    std::size_t first = 0, last = 0;    // pieces at whose inside it begins and ends
+    std::size_t first = 0, last = 0;  // pieces at whose inside it begins and ends
     double s1 = 0.0, s2 = 0.0;
-    bool from_start = false, to_end = false;   // open: no flank there
+    bool from_start = false, to_end = false;  // open: no flank there
 };
 
 class Profile {

@@ -11,7 +11,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSameLevel = 1e-7;   // mm
+constexpr double kSameLevel = 1e-7;  // mm
 
 // One pass along a contour at a feed, from the call point and back to it.
 class Along {
@@ -20,7 +20,10 @@ public:
 
     bool elements(const Contour& contour) {
         for (const Element& e : contour.elements) {
-            const bool good = e.form == Element::Form::Line ? moves_->linear(e.to) : moves_->arc(e.to, e.centre, e.form == Element::Form::ArcCw, tolerance_);
+            const bool good =
+                e.form == Element::Form::Line
+                    ? moves_->linear(e.to)
+                    : moves_->arc(e.to, e.centre, e.form == Element::Form::ArcCw, tolerance_);
             if (!good) return false;
         }
         return true;
@@ -33,12 +36,15 @@ public:
         core.end_cycle();
         core.path.feed = feed;
         core.path.exact_stop_mode = square;
-        if (nose && !core.compensation(side_towards(part, call, x_first) > 0 ? CompSide::Left : CompSide::Right)) return false;
+        if (nose && !core.compensation(side_towards(part, call, x_first) > 0 ? CompSide::Left
+                                                                             : CompSide::Right))
+            return false;
         const Point beside = x_first ? Point{call.z, part.first.x} : Point{part.first.z, call.x};
         bool good = moves_->rapid(beside) && moves_->linear(part.first) && elements(part);
         if (good && nose) good = core.compensation_off(0.0, 0.0);
         const Point here = part.end();
-        good = good && moves_->rapid(x_first ? Point{here.z, call.x} : Point{call.z, here.x}) && moves_->rapid(call);
+        good = good && moves_->rapid(x_first ? Point{here.z, call.x} : Point{call.z, here.x}) &&
+               moves_->rapid(call);
         core.path.exact_stop_mode = exact;
         core.path.feed = before;
         return good;
@@ -51,23 +57,35 @@ private:
 
 class ProfilePasses {
 public:
-    ProfilePasses(CycleMoves& moves, Point call, const ProfileRoughing& cycle, const Profile& profile, const Profile* blank)
-        : moves_(&moves), cycle_(&cycle), profile_(&profile), blank_(blank), call_(profile.level(call)), here_(call_) {}
+    ProfilePasses(CycleMoves& moves, Point call, const ProfileRoughing& cycle,
+                  const Profile& profile, const Profile* blank)
+        : moves_(&moves),
+          cycle_(&cycle),
+          profile_(&profile),
+          blank_(blank),
+          call_(profile.level(call)),
+          here_(call_) {}
 
     bool run() {
         double top = call_.h;
         if (blank_) {
             top = blank_->first().h;
-            for (const Piece& piece : blank_->pieces()) top = std::fmax(top, std::fmax(piece.from.h, piece.to.h));
+            for (const Piece& piece : blank_->pieces())
+                top = std::fmax(top, std::fmax(piece.from.h, piece.to.h));
         }
         const double lowest = profile_->lowest();
-        if ((top - lowest) / cycle_->depth > kMostPasses) return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", cycle_->depth);
+        if ((top - lowest) / cycle_->depth > kMostPasses)
+            return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", cycle_->depth);
         levels_.push_back(top);
-        while (levels_.back() - cycle_->depth > lowest + kSameLevel) levels_.push_back(levels_.back() - cycle_->depth);
+        while (levels_.back() - cycle_->depth > lowest + kSameLevel)
+            levels_.push_back(levels_.back() - cycle_->depth);
         if (levels_.back() > lowest + kSameLevel) levels_.push_back(lowest);
         const Opening whole = profile_->whole();
         std::vector<Opening> before;
-        struct Root { Opening opening; std::size_t level; };
+        struct Root {
+            Opening opening;
+            std::size_t level;
+        };
         std::vector<Root> hollows;
         for (std::size_t k = 1; k < levels_.size(); ++k) {
             std::vector<Opening> found = profile_->openings(levels_[k], whole);
@@ -77,7 +95,10 @@ public:
                     if (!main_pass(opening, k)) return false;
                     continue;
                 }
-                const bool inside = std::any_of(before.begin(), before.end(), [&](const Opening& o) { return o.s1 <= opening.s1 + kSameLevel && o.s2 >= opening.s2 - kSameLevel; });
+                const bool inside =
+                    std::any_of(before.begin(), before.end(), [&](const Opening& o) {
+                        return o.s1 <= opening.s1 + kSameLevel && o.s2 >= opening.s2 - kSameLevel;
+                    });
                 if (!inside) hollows.push_back({opening, k});
                 apart.push_back(opening);
             }
@@ -97,14 +118,16 @@ public:
 private:
     bool to(Level level, bool rapid) {
         here_ = level;
-        return rapid ? moves_->rapid(profile_->point(level)) : moves_->linear(profile_->point(level));
+        return rapid ? moves_->rapid(profile_->point(level))
+                     : moves_->linear(profile_->point(level));
     }
 
     bool follow(const Piece& piece, Level target) {
         if (std::hypot(target.s - here_.s, target.h - here_.h) < kSameLevel) return true;
         if (!piece.arc) return to(target, false);
         here_ = target;
-        return moves_->arc(profile_->point(target), profile_->point(piece.centre), piece.clockwise, cycle_->arc_tolerance);
+        return moves_->arc(profile_->point(target), profile_->point(piece.centre), piece.clockwise,
+                           cycle_->arc_tolerance);
     }
 
     // Where there is stock at this height; nothing where the blank is lower.
@@ -118,7 +141,8 @@ private:
             any = true;
         };
         for (const Piece& piece : blank_->pieces()) {
-            if (std::fmax(piece.from.h, piece.to.h) <= h + kSameLevel) continue;   // its surface at most: nothing above it to cut
+            // its surface at most: nothing above it to cut
+            if (std::fmax(piece.from.h, piece.to.h) <= h + kSameLevel) continue;
             if (piece.from.h >= h - kSameLevel) see(piece.from.s);
             if (piece.to.h >= h - kSameLevel) see(piece.to.s);
             if ((piece.from.h - h) * (piece.to.h - h) < 0) see(piece.at_height(h));
@@ -144,10 +168,13 @@ private:
     bool leave(const Opening& opening, std::size_t k, double end, bool at_contour) {
         const double h = levels_[k];
         if (cycle_->retract == Retract::Oblique) {
-            const double away = opening.from_start ? cycle_->safety : std::fmin(cycle_->safety, end - opening.s1);   // the flank where it came in
+            // the flank where it came in
+            const double away =
+                opening.from_start ? cycle_->safety : std::fmin(cycle_->safety, end - opening.s1);
             return away < kSameLevel || to({end - away, h + away}, true);
         }
-        if (cycle_->retract == Retract::Same) return to({std::fmax(opening.from_start ? call_.s : opening.s1, call_.s), h}, true);
+        if (cycle_->retract == Retract::Same)
+            return to({std::fmax(opening.from_start ? call_.s : opening.s1, call_.s), h}, true);
         const double above = levels_[k - 1];
         if (!at_contour || opening.to_end) return to({end, above}, true);
         return up_flank(opening, above);
@@ -155,9 +182,11 @@ private:
 
     bool up_flank(const Opening& opening, double above) {
         const auto& pieces = profile_->pieces();
-        for (std::size_t i = opening.last; i < pieces.size() && pieces[i].to.h > pieces[i].from.h - kSameLevel; ++i) {
+        for (std::size_t i = opening.last;
+             i < pieces.size() && pieces[i].to.h > pieces[i].from.h - kSameLevel; ++i) {
             const bool ends = pieces[i].to.h > above - kSameLevel;
-            if (!follow(pieces[i], ends ? Level{pieces[i].at_height(above), above} : pieces[i].to)) return false;
+            if (!follow(pieces[i], ends ? Level{pieces[i].at_height(above), above} : pieces[i].to))
+                return false;
             if (ends) break;
         }
         return here_.h >= above - kSameLevel || to({here_.s, above}, true);
@@ -166,7 +195,9 @@ private:
     bool down_flank(const Opening& opening, double above, double level) {
         const auto& pieces = profile_->pieces();
         std::size_t top = opening.first;
-        while (pieces[top].from.h < above - kSameLevel && top > 0 && pieces[top - 1].from.h > pieces[top - 1].to.h + kSameLevel) --top;
+        while (pieces[top].from.h < above - kSameLevel && top > 0 &&
+               pieces[top - 1].from.h > pieces[top - 1].to.h + kSameLevel)
+            --top;
         Level entry = pieces[top].from;
         if (entry.h > above) entry = {pieces[top].at_height(above), above};
         if (here_.h < call_.h - kSameLevel && !to({here_.s, call_.h}, true)) return false;
@@ -175,18 +206,23 @@ private:
         const double feed = core.path.feed;
         if (cycle_->plunge_feed > 0) core.path.feed = cycle_->plunge_feed;
         bool good = true;
-        for (std::size_t i = top; good && i < opening.first; ++i) good = follow(pieces[i], pieces[i].to);
-        good = good && follow(pieces[opening.first], {opening.s1, std::fmax(level, pieces[opening.first].to.h)});
+        for (std::size_t i = top; good && i < opening.first; ++i)
+            good = follow(pieces[i], pieces[i].to);
+        good = good && follow(pieces[opening.first],
+                              {opening.s1, std::fmax(level, pieces[opening.first].to.h)});
         core.path.feed = feed;
         return good;
     }
 
     bool hollow(const Opening& opening, std::size_t k) {
-        if (++passes_ > kMostPasses) return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", cycle_->depth);
+        if (++passes_ > kMostPasses)
+            return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", cycle_->depth);
         const double level = levels_[k], above = levels_[k - 1];
         double from = opening.s1, end = opening.s2;
         if (stock(level, from, end)) {
-            if (!down_flank(opening, above, level) || !to({opening.s2, level}, false) || !leave(opening, k, opening.s2, true)) return false;
+            if (!down_flank(opening, above, level) || !to({opening.s2, level}, false) ||
+                !leave(opening, k, opening.s2, true))
+                return false;
             if (!to({here_.s, call_.h}, true)) return false;
         }
         if (k + 1 == levels_.size()) return true;
@@ -204,7 +240,8 @@ private:
         const std::vector<Opening> bottom = profile_->openings(floor, opening);
         for (const Opening& inner : bottom) {
             levels_.insert(levels_.begin() + static_cast<std::ptrdiff_t>(k) + 1, floor);
-            const bool good = down_flank(inner, level, floor) && to({inner.s2, floor}, false) && leave(inner, k + 1, inner.s2, true) && to({here_.s, call_.h}, true);
+            const bool good = down_flank(inner, level, floor) && to({inner.s2, floor}, false) &&
+                              leave(inner, k + 1, inner.s2, true) && to({here_.s, call_.h}, true);
             levels_.erase(levels_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
             if (!good) return false;
         }
@@ -216,13 +253,14 @@ private:
     const Profile* profile_;
     const Profile* blank_;
     Level call_, here_;
-    std::vector<double> levels_;    // [0] is the top of the stock
+    std::vector<double> levels_;  // [0] is the top of the stock
     int passes_ = 0;
 };
 
 }  // namespace
 
-bool rough_profile(Core& core, const Contour& part, const Contour& allowed, const Contour* blank, const ProfileRoughing& cycle) {
+bool rough_profile(Core& core, const Contour& part, const Contour& allowed, const Contour* blank,
+                   const ProfileRoughing& cycle) {
     CycleMoves moves(core);
     if (!moves.ready()) return false;
     const Point call = moves.here();
@@ -235,7 +273,8 @@ bool rough_profile(Core& core, const Contour& part, const Contour& allowed, cons
     };
     look(allowed.first);
     for (const Element& e : allowed.elements) look(e.to);
-    const double s_sign = along(part.end()) > along(call) ? 1.0 : -1.0, h_sign = below >= above ? 1.0 : -1.0;
+    const double s_sign = along(part.end()) > along(call) ? 1.0 : -1.0,
+                 h_sign = below >= above ? 1.0 : -1.0;
     const Profile profile(allowed, cycle.facing, s_sign, h_sign, {});
     std::optional<Profile> stock;
     if (blank) stock.emplace(*blank, cycle.facing, s_sign, h_sign, Point{});
@@ -245,14 +284,18 @@ bool rough_profile(Core& core, const Contour& part, const Contour& allowed, cons
     if (cycle.semi_feed > 0) {
         const double feed = core.path.feed;
         const Level first = profile.level(allowed.first), level = profile.level(call);
-        if (!moves.rapid(profile.point({level.s, std::fmax(first.h, profile.level(moves.here()).h)})) || !moves.rapid(profile.point({level.s, first.h}))) return false;
+        if (!moves.rapid(
+                profile.point({level.s, std::fmax(first.h, profile.level(moves.here()).h)})) ||
+            !moves.rapid(profile.point({level.s, first.h})))
+            return false;
         core.path.feed = cycle.semi_feed;
         if (!moves.linear(allowed.first) || !pass.elements(allowed)) return false;
         core.path.feed = feed;
         roughing.stands_at(profile.level(allowed.end()));
     }
     if (!roughing.home()) return false;
-    return cycle.finishing_feed <= 0 || pass.finish(part, call, cycle.finishing_feed, cycle.finishing_square, !cycle.facing);
+    return cycle.finishing_feed <= 0 ||
+           pass.finish(part, call, cycle.finishing_feed, cycle.finishing_square, !cycle.facing);
 }
 
 bool repeat_profile(Core& core, const Contour& part, const ProfileRepeat& cycle) {
@@ -267,7 +310,8 @@ bool repeat_profile(Core& core, const Contour& part, const ProfileRepeat& cycle)
         const Point clear = cycle.along_x ? Point{end.z, call.x} : Point{call.z, end.x};
         if (!moves.rapid(clear) || !moves.rapid(call)) return false;
     }
-    return cycle.finishing_feed <= 0 || pass.finish(part, call, cycle.finishing_feed, cycle.finishing_square, cycle.along_x);
+    return cycle.finishing_feed <= 0 ||
+           pass.finish(part, call, cycle.finishing_feed, cycle.finishing_square, cycle.along_x);
 }
 
 }  // namespace polyturn::channels::cycles

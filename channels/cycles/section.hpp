@@ -1,4 +1,5 @@
-// Turning and facing of one section, a line or an arc: fagor G81, G82, G84, G85. Once for every language.
+// Turning and facing of one section, a line or an arc: fagor G81, G82, G84, G85. Once for every
+// language.
 //
 //   h ^   end - - - - - - - - - - - - - - call point      h  height, towards the call point
 //     |     \   <-------------- level 1   .               s  along the passes, away from the call point
@@ -14,22 +15,22 @@ namespace polyturn::channels::cycles {
 
 // How a pass is left (fagor_8037t part 2, 9.2.2).
 enum class Retract : std::uint8_t {
-    Along,      // up along the contour to the pass before
-    Oblique,    // at 45 degrees by the safety distance
-    Same,       // back along the pass
+    Along,    // up along the contour to the pass before
+    Oblique,  // at 45 degrees by the safety distance
+    Same,     // back along the pass
 };
 
 struct Section {
-    bool facing = false;            // passes along X
+    bool facing = false;  // passes along X
     Point start, end;
     bool arc = false;
-    Point centre;                   // of the arc of less than half a turn
-    double most = 0.0;              // deepest pass
+    Point centre;       // of the arc of less than half a turn
+    double most = 0.0;  // deepest pass
     Retract retract = Retract::Along;
-    double safety = 0.0;            // Oblique, mm on each axis
-    Point allowance;                // lengths
-    double roughing_feed = 0.0;     // of a pass along the section with its allowance; 0 none
-    double finishing_feed = 0.0;    // of a pass along the section; 0 none
+    double safety = 0.0;          // Oblique, mm on each axis
+    Point allowance;              // lengths
+    double roughing_feed = 0.0;   // of a pass along the section with its allowance; 0 none
+    double finishing_feed = 0.0;  // of a pass along the section; 0 none
     double arc_tolerance = 0.01;
 };
 

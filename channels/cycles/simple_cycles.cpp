@@ -14,17 +14,20 @@ struct Places {
 };
 
 bool find_places(Core& core, Places& places) {
-    const int x = core.view().axis_by_role(PlaneRole::BasicX), z = core.view().axis_by_role(PlaneRole::BasicZ);
+    const int x = core.view().axis_by_role(PlaneRole::BasicX),
+              z = core.view().axis_by_role(PlaneRole::BasicZ);
     if (x < 0 || z < 0) return core.fail(Alarm::PlaneAxisMissing, 'G');
     places = {static_cast<unsigned>(x), static_cast<unsigned>(z)};
     return true;
 }
 
-// What the nose adds to the ends of an oblique cut must leave the ways to and from it their directions (fanuc_lathe 3.20; 3.14, first
-// criterion). Not a number: no such place exists, the cut runs along the axis on which its ends would move.
+// What the nose adds to the ends of an oblique cut must leave the ways to and from it their
+// directions (fanuc_lathe 3.20; 3.14, first criterion). Not a number: no such place exists, the cut
+// runs along the axis on which its ends would move.
 bool turns_back(double way, double added) { return !(way * (way + added) >= 0); }
 
-// Each leg is driven so that the imaginary tip runs on it; only an oblique cut is shifted to its equidistant.
+// Each leg is driven so that the imaginary tip runs on it; only an oblique cut is shifted to its
+// equidistant.
 class CompensatedCycle {
 public:
     CompensatedCycle(Core& core, Core::CycleMoves how) : core_(&core) { core.begin_cycle(how); }
@@ -48,7 +51,9 @@ bool turning(Core& core, const SimpleCycle& cycle) {
     const CompensatedCycle nose(core, Core::CycleMoves::Plain);
     if (cycle.taper != 0) {
         const double shift = core.cut_shift(point, end, at.x, start);
-        if (turns_back(point[at.x] - start[at.x], shift) || turns_back(end[at.x] - start[at.x], shift)) return core.fail(Alarm::CompCycleOvercut, 'R');
+        if (turns_back(point[at.x] - start[at.x], shift) ||
+            turns_back(end[at.x] - start[at.x], shift))
+            return core.fail(Alarm::CompCycleOvercut, 'R');
         point[at.x] += shift;
         end[at.x] += shift;
     }
@@ -69,7 +74,9 @@ bool facing(Core& core, const SimpleCycle& cycle) {
     const CompensatedCycle nose(core, Core::CycleMoves::Plain);
     if (cycle.taper != 0) {
         const double shift = core.cut_shift(point, end, at.z, start);
-        if (turns_back(point[at.z] - start[at.z], shift) || turns_back(end[at.z] - start[at.z], shift)) return core.fail(Alarm::CompCycleOvercut, 'R');
+        if (turns_back(point[at.z] - start[at.z], shift) ||
+            turns_back(end[at.z] - start[at.z], shift))
+            return core.fail(Alarm::CompCycleOvercut, 'R');
         point[at.z] += shift;
         end[at.z] += shift;
     }
@@ -103,7 +110,7 @@ bool thread(Core& core, const SimpleCycle& cycle) {
         const double away = start[at.x] - leave[at.x];
         AxisValues out = cycle.end;
         out[at.x] = leave[at.x] + std::copysign(std::fmin(lift, std::fabs(away)), away);
-        ThreadCall call = pass;   // the lead still counts along Z
+        ThreadCall call = pass;  // the lead still counts along Z
         call.by_axis = true;
         call.axis = static_cast<std::uint8_t>(at.z);
         if (!thread_stroke(core, out, call)) return false;

@@ -1,4 +1,5 @@
-// The cycles of four moves: turning, facing and threading pass, each from the start point and back to it.
+// The cycles of four moves: turning, facing and threading pass, each from the start point and back
+// to it.
 //
 //   turning (fanuc G90, nct G77)       facing (G94, G79)            thread (G92, G78)
 //      4 <- - - - - - start             1 <- - - start              as turning, move 2 follows the spindle
@@ -11,11 +12,12 @@
 namespace polyturn::channels::cycles {
 
 struct SimpleCycle {
-    AxisValues end{};            // corner opposite the start point, workpiece system
-    double taper = 0.0;          // start less end of the cut, mm on the radius (turning, thread: X; facing: Z)
-    ThreadCall thread;           // thread: its lead
-    double chamfer = 0.0;        // thread: length of the run-out along the thread, mm; 0 none
-    double chamfer_angle = 45.0; // deg
+    AxisValues end{};  // corner opposite the start point, workpiece system
+    // start less end of the cut, mm on the radius (turning, thread: X; facing: Z)
+    double taper = 0.0;
+    ThreadCall thread;            // thread: its lead
+    double chamfer = 0.0;         // thread: length of the run-out along the thread, mm; 0 none
+    double chamfer_angle = 45.0;  // deg
 };
 
 bool turning(Core& core, const SimpleCycle& cycle);

@@ -9,7 +9,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSamePass = 1e-9;   // mm
+constexpr double kSamePass = 1e-9;  // mm
 double tan_deg(double angle) { return std::tan(angle * std::numbers::pi / 180.0); }
 
 }  // namespace
@@ -28,7 +28,8 @@ std::vector<double> thread_depths(const ThreadPasses& cycle) {
     double depth = 0.0;
     for (int k = 1; depth < rough - kSamePass; ++k) {
         if (k > kMostThreadPasses) return {};
-        const double step = cycle.first * (std::sqrt(static_cast<double>(k)) - std::sqrt(static_cast<double>(k - 1)));
+        const double step = cycle.first * (std::sqrt(static_cast<double>(k)) -
+                                           std::sqrt(static_cast<double>(k - 1)));
         depth = std::fmin(depth + std::fmax(step, cycle.least), rough);
         depths.push_back(depth);
     }
@@ -37,20 +38,24 @@ std::vector<double> thread_depths(const ThreadPasses& cycle) {
 }
 
 bool cut_thread(Core& core, const ThreadPasses& cycle) {
-    const auto refuse = [&](char letter, double value) { return core.fail(Alarm::CycleValueIllegal, letter, std::string(1, letter), value); };
+    const auto refuse = [&](char letter, double value) {
+        return core.fail(Alarm::CycleValueIllegal, letter, std::string(1, letter), value);
+    };
     if (!(cycle.height > 0)) return refuse(cycle.height_letter, cycle.height);
     if (!(cycle.first > 0)) return refuse(cycle.first_letter, cycle.first);
     if (cycle.allowance < 0 || cycle.allowance > cycle.height) return refuse('R', cycle.allowance);
-    if (cycle.tool_angle_deg < 0 || cycle.tool_angle_deg > 120) return refuse('A', cycle.tool_angle_deg);
+    if (cycle.tool_angle_deg < 0 || cycle.tool_angle_deg > 120)
+        return refuse('A', cycle.tool_angle_deg);
     CycleMoves moves(core);
     if (!moves.ready()) return false;
     const Point start = moves.here();
     const double length = cycle.end.z - start.z;
     if (std::fabs(length) <= kSamePass) return refuse('Z', cycle.end.z);
-    const double way = std::copysign(1.0, length);                        // of the cut
-    const double out = start.x >= cycle.end.x ? 1.0 : -1.0;               // away from the work
+    const double way = std::copysign(1.0, length);           // of the cut
+    const double out = start.x >= cycle.end.x ? 1.0 : -1.0;  // away from the work
     // A start point inside the thread would drive rapid through the work.
-    if (out * (start.x - cycle.end.x - cycle.taper) < cycle.height - kSamePass || out * (start.x - cycle.end.x) < cycle.height - kSamePass)
+    if (out * (start.x - cycle.end.x - cycle.taper) < cycle.height - kSamePass ||
+        out * (start.x - cycle.end.x) < cycle.height - kSamePass)
         return refuse(cycle.height_letter, cycle.height);
     const std::vector<double> depths = thread_depths(cycle);
     if (depths.empty()) return refuse(cycle.first_letter, cycle.first);
@@ -59,19 +64,23 @@ bool cut_thread(Core& core, const ThreadPasses& cycle) {
     const double run_out = std::fmin(cycle.chamfer, std::fabs(length) - cycle.height * flank);
     for (const double depth : depths) {
         const double z = start.z + way * depth * flank;
-        const double x_end = cycle.end.x + out * (cycle.height - depth);  // at the end of the thread
-        const double slope = cycle.taper / length;                        // X falls by the taper over the length
+        // at the end of the thread
+        const double x_end = cycle.end.x + out * (cycle.height - depth);
+        // X falls by the taper over the length
+        const double slope = cycle.taper / length;
         const auto x_at = [&](double at) { return x_end + slope * (cycle.end.z - at); };
         if (!moves.rapid({z, start.x}) || !moves.rapid({z, x_at(z)})) return false;
         const double leave = cycle.end.z - way * run_out;
         ThreadCall pass = cycle.thread;
         withdraw_to(pass, moves.x(), start.x, x_at(z), x_at(leave));
-        if (std::fabs(leave - z) > kSamePass && !moves.thread({leave, x_at(leave)}, pass)) return false;
+        if (std::fabs(leave - z) > kSamePass && !moves.thread({leave, x_at(leave)}, pass))
+            return false;
         if (run_out > kSamePass) {
-            ThreadCall call = pass;   // the lead still counts along Z
+            ThreadCall call = pass;  // the lead still counts along Z
             call.by_axis = true;
             call.axis = static_cast<std::uint8_t>(moves.z());
-            const double lift = std::fmin(run_out * tan_deg(cycle.chamfer_angle_deg), std::fabs(start.x - x_at(leave)));
+            const double lift = std::fmin(run_out * tan_deg(cycle.chamfer_angle_deg),
+                                          std::fabs(start.x - x_at(leave)));
             if (!moves.thread({cycle.end.z, x_at(leave) + out * lift}, call)) return false;
         }
         if (!moves.rapid({cycle.end.z, start.x}) || !moves.rapid(start)) return false;

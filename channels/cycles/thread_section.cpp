@@ -9,19 +9,27 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSameThread = 1e-9;   // mm
+constexpr double kSameThread = 1e-9;  // mm
 
-// How far pass k (from 1) begins aside: towards the cut or against it, as a share of depth * tan(angle).
+// How far pass k (from 1) begins aside: towards the cut or against it, as a share of depth *
+// tan(angle).
 double side_of(const ThreadSection& t, int k) {
     const bool odd = k % 2 == 1;
     switch (t.entry) {
-        case 0: return 0.0;
-        case 1: return 1.0;
-        case 2: return odd ? 0.0 : 1.0;
-        case 3: return -1.0;
-        case 4: return odd ? 0.0 : -1.0;
-        case 5: return odd ? 1.0 : -1.0;
-        default: break;
+        case 0:
+            return 0.0;
+        case 1:
+            return 1.0;
+        case 2:
+            return odd ? 0.0 : 1.0;
+        case 3:
+            return -1.0;
+        case 4:
+            return odd ? 0.0 : -1.0;
+        case 5:
+            return odd ? 1.0 : -1.0;
+        default:
+            break;
     }
     if (t.angle_deg == 0.0) return 0.0;
     return t.angle_deg > 0 || odd ? 1.0 : -1.0;
@@ -51,8 +59,12 @@ public:
                 const bool last = k == depths.size();
                 const double depth = last ? std::fabs(t_->depth) : depths[k];
                 const bool straight = last && t_->finishing < 0;
-                const bool again = last && t_->finishing == 0 && k > 0;   // L0: the previous pass once more, on its side (9.9.1)
-                const double aside = straight ? 0.0 : side_of(*t_, static_cast<int>(k) + (again ? 0 : 1)) * depth * std::tan(std::fabs(t_->angle_deg) * std::numbers::pi / 180.0);
+                // L0: the previous pass once more, on its side (9.9.1)
+                const bool again = last && t_->finishing == 0 && k > 0;
+                const double aside =
+                    straight ? 0.0
+                             : side_of(*t_, static_cast<int>(k) + (again ? 0 : 1)) * depth *
+                                   std::tan(std::fabs(t_->angle_deg) * std::numbers::pi / 180.0);
                 if (!pass(depth, aside)) return false;
             }
         }
@@ -73,8 +85,10 @@ private:
     bool pass(double depth, double aside) {
         const double clear = t_->safety * away_, d = -away_ * depth;
         const double begin = s0_ + way_ * aside;
-        if (t_->exit != 0.0) {   // held in the thread: out as far as the safety level, along by the way of the exit
-            const auto x = static_cast<std::int8_t>(moves_->x()), z = static_cast<std::int8_t>(moves_->z());
+        // held in the thread: out as far as the safety level, along by the way of the exit
+        if (t_->exit != 0.0) {
+            const auto x = static_cast<std::int8_t>(moves_->x()),
+                       z = static_cast<std::int8_t>(moves_->z());
             call_.withdraw_axis = {t_->face ? z : x, t_->face ? x : z, -1};
             call_.withdraw = {clear - d, way_ * std::fabs(t_->exit), 0.0};
         }
@@ -124,7 +138,11 @@ std::vector<double> section_depths(const ThreadSection& t) {
     double depth = 0.0;
     for (int n = 1; depth < rough - kSameThread; ++n) {
         if (n > kMostThreadPasses) return {};
-        const double step = t.first > 0 ? std::fmax(t.first * (std::sqrt(static_cast<double>(n)) - std::sqrt(static_cast<double>(n - 1))), t.least) : -t.first;
+        const double step = t.first > 0
+                                ? std::fmax(t.first * (std::sqrt(static_cast<double>(n)) -
+                                                       std::sqrt(static_cast<double>(n - 1))),
+                                            t.least)
+                                : -t.first;
         depth = std::fmin(depth + step, rough);
         depths.push_back(depth);
     }
@@ -135,9 +153,11 @@ bool cut_thread_section(Core& core, const ThreadSection& t) {
     CycleMoves moves(core);
     if (!moves.ready()) return false;
     const double length = std::fabs(t.face ? t.end.x - t.start.x : t.end.z - t.start.z);
-    if (length <= kSameThread) return core.fail(Alarm::CycleValueIllegal, t.face ? 'Q' : 'R', t.face ? "Q" : "R");
+    if (length <= kSameThread)
+        return core.fail(Alarm::CycleValueIllegal, t.face ? 'Q' : 'R', t.face ? "Q" : "R");
     const std::vector<double> depths = section_depths(t);
-    if (depths.empty() && std::fabs(t.depth) > std::fabs(t.finishing)) return core.fail(Alarm::CycleValueIllegal, 'B', "B", t.first);
+    if (depths.empty() && std::fabs(t.depth) > std::fabs(t.finishing))
+        return core.fail(Alarm::CycleValueIllegal, 'B', "B", t.first);
     return Threading(moves, t).run(depths);
 }
 

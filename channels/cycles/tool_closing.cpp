@@ -8,20 +8,20 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kStep = 0.02;      // mm of an arc that is judged as straight
+constexpr double kStep = 0.02;  // mm of an arc that is judged as straight
 constexpr double kSameTool = 1e-7;
 
 constexpr std::size_t kNoArc = ~std::size_t{0};
 
 struct Way {
     BlockContext at;
-    std::size_t arc = kNoArc;   // element of the contour, where the way is a chord of it
+    std::size_t arc = kNoArc;  // element of the contour, where the way is a chord of it
 };
 
 // An arc is judged by its chords; where nothing closes it, it stays the arc that it was.
 struct Chain {
     std::vector<Level> points;
-    std::vector<Way> ways;      // that end in the points
+    std::vector<Way> ways;  // that end in the points
 
     void add(Level point, const Way& way) {
         points.push_back(point);
@@ -30,7 +30,8 @@ struct Chain {
     // The same from the other end.
     Chain reversed() const {
         Chain back;
-        for (std::size_t i = points.size(); i-- > 0;) back.add({-points[i].s, points[i].h}, i + 1 < ways.size() ? ways[i + 1] : ways[i]);
+        for (std::size_t i = points.size(); i-- > 0;)
+            back.add({-points[i].s, points[i].h}, i + 1 < ways.size() ? ways[i + 1] : ways[i]);
         return back;
     }
 };
@@ -52,7 +53,8 @@ bool close(Chain& chain, double slope) {
         bool met = false;
         for (std::size_t k = i; k < chain.points.size() && !met; ++k) {
             const Level a = chain.points[k - 1], b = chain.points[k];
-            const auto over = [&](Level p) { return p.h - (from.h - slope * (p.s - from.s)); };   // above the line
+            // above the line
+            const auto over = [&](Level p) { return p.h - (from.h - slope * (p.s - from.s)); };
             const double x = over(a), y = over(b);
             if (k > i && x < 0 && y >= 0) {
                 const double t = x / (x - y);
@@ -74,7 +76,8 @@ bool close(Chain& chain, double slope) {
 
 }  // namespace
 
-Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_sign, const Flanks& flanks, bool& changed) {
+Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_sign,
+                   const Flanks& flanks, bool& changed) {
     changed = false;
     const bool descents = flanks.descent_deg < 90.0, ascents = flanks.ascent_deg < 90.0;
     if (!descents && !ascents) return contour;
@@ -109,13 +112,16 @@ Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_
         Element e;
         if (way.arc != kNoArc) e = contour.elements[way.arc];
         e.from = profile.point(chain.points[i - 1]);
-        while (way.arc != kNoArc && i + 1 < chain.points.size() && chain.ways[i + 1].arc == way.arc) ++i;
+        while (way.arc != kNoArc && i + 1 < chain.points.size() && chain.ways[i + 1].arc == way.arc)
+            ++i;
         e.to = profile.point(chain.points[i]);
         e.at = way.at;
         if (std::hypot(e.to.z - e.from.z, e.to.x - e.from.x) <= kSameTool) continue;
         if (way.arc != kNoArc) {
             e.first_angle = std::atan2(e.from.x - e.centre.x, e.from.z - e.centre.z);
-            e.sweep = std::remainder(std::atan2(e.to.x - e.centre.x, e.to.z - e.centre.z) - e.first_angle, 2 * std::numbers::pi);
+            e.sweep =
+                std::remainder(std::atan2(e.to.x - e.centre.x, e.to.z - e.centre.z) - e.first_angle,
+                               2 * std::numbers::pi);
             if (e.form == Element::Form::ArcCcw && e.sweep < 0) e.sweep += 2 * std::numbers::pi;
             if (e.form == Element::Form::ArcCw && e.sweep > 0) e.sweep -= 2 * std::numbers::pi;
         }

@@ -9,11 +9,13 @@
 namespace polyturn::channels::cycles {
 
 struct Flanks {
-    double descent_deg = 180.0;     // steepest way into the material, against the direction of the cut; 90 and more: all of it
+    // steepest way into the material, against the direction of the cut; 90 and more: all of it
+    double descent_deg = 180.0;
     double ascent_deg = 180.0;
 };
 
 // `changed` tells whether anything was closed.
-Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_sign, const Flanks& flanks, bool& changed);
+Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_sign,
+                   const Flanks& flanks, bool& changed);
 
 }  // namespace polyturn::channels::cycles

@@ -8,7 +8,8 @@ namespace {
 
 constexpr unsigned kCallLevels = 15, kLocalLevels = 6;
 constexpr std::int64_t kMakerFirst = 10'000;
-constexpr std::uint32_t kIndexedLines = 200'000;   // of the main program, looked through at its start
+// of the main program, looked through at its start
+constexpr std::uint32_t kIndexedLines = 200'000;
 
 // The number of "SUB 12)" ; -1: another statement.
 std::int64_t subroutine_number(std::string_view statement) {
@@ -17,13 +18,17 @@ std::int64_t subroutine_number(std::string_view statement) {
     while (i < statement.size() && statement[i] == ' ') ++i;
     std::int64_t number = 0;
     std::size_t digits = 0;
-    for (; i < statement.size() && statement[i] >= '0' && statement[i] <= '9' && digits < 8; ++i, ++digits) number = number * 10 + (statement[i] - '0');
+    for (; i < statement.size() && statement[i] >= '0' && statement[i] <= '9' && digits < 8;
+         ++i, ++digits)
+        number = number * 10 + (statement[i] - '0');
     return digits ? number : -1;
 }
 
-// Where the first line stands that is the one (place() of it), from the top of the program; the reader stays where it was.
+// Where the first line stands that is the one (place() of it), from the top of the program; the
+// reader stays where it was.
 template <typename Wanted>
-std::optional<TextPosition> look_for(LineSource& source, Wanted is_the_one, TextPosition (LineSource::*place)() const) {
+std::optional<TextPosition> look_for(LineSource& source, Wanted is_the_one,
+                                     TextPosition (LineSource::*place)() const) {
     const TextPosition back = source.next_position();
     source.seek({0, 1});
     std::string_view line;
@@ -45,26 +50,36 @@ bool Interpreter::attribute_of(FileId file, char attribute) {
     bool found = false;
     if (source.next(line) == LineSource::Status::Line && !line.empty() && line[0] == '%') {
         const std::size_t comma = line.find(',');
-        if (comma != std::string_view::npos) found = line.substr(comma).find(attribute) != std::string_view::npos;
+        if (comma != std::string_view::npos)
+            found = line.substr(comma).find(attribute) != std::string_view::npos;
     }
     source.seek(back);
     return found;
 }
 
-// The subroutines that the main program defines; what is wrong with a definition is told before anything moves.
+// The subroutines that the main program defines; what is wrong with a definition is told before
+// anything moves.
 void Interpreter::index_subroutines(FileId file) {
     LineSource& source = files_->source(file);
     source.seek({0, 1});
     std::string_view line;
     const bool maker = attribute_of(file, 'O');
     definition_fault_.reset();
-    while (!definition_fault_ && source.next_position().line < kIndexedLines && source.next(line) == LineSource::Status::Line) {
+    while (!definition_fault_ && source.next_position().line < kIndexedLines &&
+           source.next(line) == LineSource::Status::Line) {
         const std::int64_t number = subroutine_number(statement_of(line));
         if (number < 0) continue;
         const std::uint32_t at = source.position().line;
-        if (number >= kMakerFirst && !maker) definition_fault_ = Diagnosis{Alarm::FagorMakerSubroutine, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
+        if (number >= kMakerFirst && !maker)
+            definition_fault_ = Diagnosis{Alarm::FagorMakerSubroutine,
+                                          {files_->path(file), at, 0, 0},
+                                          {},
+                                          std::to_string(number)};
         else if (!subroutines_.emplace(number, std::pair{file, source.next_position()}).second)
-            definition_fault_ = Diagnosis{Alarm::FagorSubroutineTwice, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
+            definition_fault_ = Diagnosis{Alarm::FagorSubroutineTwice,
+                                          {files_->path(file), at, 0, 0},
+                                          {},
+                                          std::to_string(number)};
     }
     source.seek({0, 1});
 }
@@ -73,7 +88,9 @@ std::optional<TextPosition> Interpreter::find_label(FileId file, std::int64_t la
     const auto known = labels_.find({file, label});
     if (known != labels_.end()) return known->second;
     // Of several the first one counts.
-    const auto found = look_for(files_->source(file), [label](std::string_view line) { return label_of(line) == label; }, &LineSource::position);
+    const auto found = look_for(
+        files_->source(file), [label](std::string_view line) { return label_of(line) == label; },
+        &LineSource::position);
     if (found) labels_[{file, label}] = *found;
     return found;
 }
@@ -81,7 +98,8 @@ std::optional<TextPosition> Interpreter::find_label(FileId file, std::int64_t la
 std::optional<FileId> Interpreter::find_program(std::int64_t number) {
     for (const WrittenProgram& program : modal_.written) {
         if (program.number != number) continue;
-        if (const auto open = text_files_.find(program.text.get()); open != text_files_.end()) return open->second;
+        if (const auto open = text_files_.find(program.text.get()); open != text_files_.end())
+            return open->second;
         texts_.push_back(program.text);
         const auto file = files_->open_text(*program.text, std::to_string(number) + ".PIT");
         if (!file) return std::nullopt;
@@ -92,17 +110,22 @@ std::optional<FileId> Interpreter::find_program(std::int64_t number) {
 }
 
 std::optional<TextPosition> Interpreter::subroutine_in(FileId file, std::int64_t number) {
-    const auto defines = [number](std::string_view line) { return subroutine_number(statement_of(line)) == number; };
-    return look_for(files_->source(file), defines, &LineSource::next_position);   // it begins behind its definition
+    const auto defines = [number](std::string_view line) {
+        return subroutine_number(statement_of(line)) == number;
+    };
+    // it begins behind its definition
+    return look_for(files_->source(file), defines, &LineSource::next_position);
 }
 
-// Two programs that were loaded define it (part 2, 12.5: no two in the memory). What only lies in a folder is not loaded.
+// Two programs that were loaded define it (part 2, 12.5: no two in the memory). What only lies in a
+// folder is not loaded.
 bool Interpreter::defined_twice(std::int64_t number, FileId known) {
     if (!looked_twice_.insert(number).second) return false;
     const std::size_t loaded = std::min(files_->library_count(), files_->memory_count(".PIT"));
     for (std::size_t i = 0; i < loaded; ++i) {
         const auto other = files_->memory_file(".PIT", i);
-        if (other && files_->path(*other) != files_->path(known) && subroutine_in(*other, number)) return true;
+        if (other && files_->path(*other) != files_->path(known) && subroutine_in(*other, number))
+            return true;
     }
     return false;
 }
@@ -110,7 +133,10 @@ bool Interpreter::defined_twice(std::int64_t number, FileId known) {
 bool Interpreter::find_subroutine(std::int64_t number, FileId& file, TextPosition& begin) {
     const auto look = [&](FileId in) {
         const auto at = subroutine_in(in, number);
-        if (at) file = in, begin = *at;
+        if (at) {
+            file = in;
+            begin = *at;
+        }
         return at.has_value();
     };
     if (const auto known = subroutines_.find(number); known != subroutines_.end()) {
@@ -131,13 +157,15 @@ bool Interpreter::jump_to(std::int64_t label) {
     const auto found = find_label(frames_.back().file, label);
     if (!found) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
     // A jump out of a repeated part ends the repetition.
-    while (frames_.back().kind == CallFrame::Kind::Repeat && (found->line < frames_.back().begin.line || found->line > frames_.back().last_line)) {
+    while (frames_.back().kind == CallFrame::Kind::Repeat &&
+           (found->line < frames_.back().begin.line || found->line > frames_.back().last_line)) {
         const FileId file = frames_.back().file;
         frames_.pop_back();
-        if (frames_.back().file != file) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
+        if (frames_.back().file != file)
+            return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
     }
     source_->seek(*found);
-    fresh_ = false;   // a loop asks the machine anew each time
+    fresh_ = false;  // a loop asks the machine anew each time
     jumped_ = true;
     return true;
 }
@@ -145,11 +173,14 @@ bool Interpreter::jump_to(std::int64_t label) {
 bool Interpreter::push_frame(CallFrame frame) {
     unsigned levels = 0, locals = 0;
     for (const CallFrame& other : frames_) {
-        levels += other.kind == CallFrame::Kind::Subroutine || other.kind == CallFrame::Kind::Program;
+        levels +=
+            other.kind == CallFrame::Kind::Subroutine || other.kind == CallFrame::Kind::Program;
         locals += other.own_level;
     }
-    if (frame.kind != CallFrame::Kind::Repeat && levels >= kCallLevels) return core_.fail(Alarm::CallTooDeep, 0, {}, kCallLevels);
-    if (frame.own_level && locals >= kLocalLevels) return core_.fail(Alarm::FagorLevels, 0, {}, kLocalLevels);
+    if (frame.kind != CallFrame::Kind::Repeat && levels >= kCallLevels)
+        return core_.fail(Alarm::CallTooDeep, 0, {}, kCallLevels);
+    if (frame.own_level && locals >= kLocalLevels)
+        return core_.fail(Alarm::FagorLevels, 0, {}, kLocalLevels);
     if (frames_.size() > 60) return core_.fail(Alarm::CallTooDeep, 0, {}, 60);
     frame.resume = source_->next_position();
     source_ = &files_->source(frame.file);
@@ -162,11 +193,15 @@ bool Interpreter::push_frame(CallFrame frame) {
 bool Interpreter::call_subroutine(std::int64_t number, CallFrame frame, const LocalSet* arguments) {
     FileId file = 0;
     TextPosition begin;
-    if (!find_subroutine(number, file, begin)) return core_.fail(Alarm::SubprogramMissing, 0, "SUB " + std::to_string(number));
-    if (defined_twice(number, file)) return core_.fail(Alarm::FagorSubroutineTwice, 0, std::to_string(number));
+    if (!find_subroutine(number, file, begin))
+        return core_.fail(Alarm::SubprogramMissing, 0, "SUB " + std::to_string(number));
+    if (defined_twice(number, file))
+        return core_.fail(Alarm::FagorSubroutineTwice, 0, std::to_string(number));
     if (number >= kMakerFirst) {
-        if (!attribute_of(file, 'O')) return core_.fail(Alarm::FagorMakerSubroutine, 0, std::to_string(number));
-        if (!frames_.back().maker) return core_.fail(Alarm::FagorMakerCall, 0, std::to_string(number));
+        if (!attribute_of(file, 'O'))
+            return core_.fail(Alarm::FagorMakerSubroutine, 0, std::to_string(number));
+        if (!frames_.back().maker)
+            return core_.fail(Alarm::FagorMakerCall, 0, std::to_string(number));
     }
     frame.kind = CallFrame::Kind::Subroutine;
     frame.file = file;
@@ -204,7 +239,7 @@ bool Interpreter::return_from_frame() {
     state_changed_ = true;
     CallFrame& frame = frames_.back();
     if (frame.interrupt) return return_from_interrupt();
-    if (frame.runs_left > 0) {   // the same parameters as they are now (12.5)
+    if (frame.runs_left > 0) {  // the same parameters as they are now (12.5)
         --frame.runs_left;
         source_->seek(frame.begin);
         jumped_ = true;
@@ -235,7 +270,8 @@ bool Interpreter::run_modal_call(std::int64_t repeats) {
     CallFrame frame;
     frame.modal = true;
     frame.given = call.given;
-    if (call.kind == ModalCall::Kind::Program) return call_program(call.number, frame);   // N does not count (12.7)
+    // N does not count (12.7)
+    if (call.kind == ModalCall::Kind::Program) return call_program(call.number, frame);
     frame.runs_left = repeats - 1;
     return call_subroutine(call.number, frame, &call.arguments);
 }

@@ -1,6 +1,7 @@
-// What a program leaves to the next one in its channel (fagor_8037t part 1, 4.4.2, 9.1; part 2, 11.2, 13): parameters but the
-// local ones, tables, programs that were written, the active zero offset, work zones, the tool in work, the inclined axis.
-// Everything else begins as the machine parameters say.
+// What a program leaves to the next one in its channel (fagor_8037t part 1, 4.4.2, 9.1; part 2,
+// 11.2, 13): parameters but the local ones, tables, programs that were written, the active zero
+// offset, work zones, the tool in work, the inclined axis. Everything else begins as the machine
+// parameters say.
 #include "channels/fagor/interpreter.hpp"
 
 namespace polyturn::channels::fagor {
@@ -9,13 +10,16 @@ struct Interpreter::Left {
     Values values;
     Modal modal;
     PathState path;
-    WayCounter ways;
+    TravelCounter ways;
     std::string program;
     int inclined = -1, orthogonal = -1;
 };
 
 std::any Interpreter::carry() const {
-    return std::make_shared<Left>(Left{values_, modal_, core_.path, ways_, frames_.empty() ? std::string() : files_->path(frames_.front().file), inclined_place_, orthogonal_place_});
+    return std::make_shared<Left>(
+        Left{values_, modal_, core_.path, ways_,
+             frames_.empty() ? std::string() : files_->path(frames_.front().file), inclined_place_,
+             orthogonal_place_});
 }
 
 void Interpreter::take_carry(const std::any& before, bool) {
@@ -31,8 +35,11 @@ void Interpreter::take_carry(const std::any& before, bool) {
     modal_.speed_limit = m.speed_limit;
     modal_.gear = m.gear;
     modal_.probe_input = m.probe_input;
-    modal_.next_tool = m.next_tool, modal_.next_offset = m.next_offset;
-    modal_.zero = m.zero, modal_.zero_number = m.zero_number, modal_.zero_added = m.zero_added;
+    modal_.next_tool = m.next_tool;
+    modal_.next_offset = m.next_offset;
+    modal_.zero = m.zero;
+    modal_.zero_number = m.zero_number;
+    modal_.zero_added = m.zero_added;
     PathState& path = core_.path;
     path.zones = last.path.zones;
     path.second_limits = last.path.second_limits;
@@ -41,15 +48,16 @@ void Interpreter::take_carry(const std::any& before, bool) {
     path.spindle.limit_rpm = last.path.spindle.limit_rpm;
     path.tool = last.path.tool;
     core_.at.tool = path.tool.ref;
-    load_tool();   // HTOR is that of the table again
+    load_tool();  // HTOR is that of the table again
     core_.take_wanted();
     path.zero_row = last.path.zero_row;
     path.preset = last.path.preset;
     path.local = last.path.local;
     refresh_zero();
     reset_polar_origin();
-    inclined_place_ = last.inclined, orthogonal_place_ = last.orthogonal;
-    if (m.inclined) set_inclined(1);   // no longer frozen
+    inclined_place_ = last.inclined;
+    orthogonal_place_ = last.orthogonal;
+    if (m.inclined) set_inclined(1);  // no longer frozen
 }
 
 }  // namespace polyturn::channels::fagor

@@ -1,11 +1,13 @@
 // The language fagor (8037 T): ISO blocks with G codes by table, statements in round brackets.
 //
 // One step() reads one block:
-//   header -> words or statement   words: classify -> check that every word has a taker -> act, in the order of GGroup
-// A block that needs a live value stops before anything has been done: AtBarrier, then it is read again (architecture 5.5).
+//   header -> words or statement   words: classify -> check that every word has a taker -> act, in
+//                                  the order of GGroup
+// A block that needs a live value stops before anything has been done: AtBarrier, then it is read
+// again (architecture 5.5).
 //
-// Programmed numbers are X as the program writes it (diameter or radius); target_ is in true millimetres, X as a radius, before
-// mirror and scale, which are a frame of Core.
+// Programmed numbers are X as the program writes it (diameter or radius); target_ is in true
+// millimetres, X as a radius, before mirror and scale, which are a frame of Core.
 #pragma once
 #include <any>
 #include <deque>
@@ -17,14 +19,14 @@
 #include <vector>
 
 #include "channels/cycles/contour.hpp"
-#include "channels/fagor/expression.hpp"
-#include "channels/fagor/g_codes.hpp"
+#include "channels/fagor/grammar/expression.hpp"
+#include "channels/fagor/grammar/g_codes.hpp"
+#include "channels/fagor/grammar/reader.hpp"
+#include "channels/fagor/grammar/values.hpp"
 #include "channels/fagor/modal.hpp"
-#include "channels/fagor/reader.hpp"
+#include "channels/fagor/motion/spindle_override.hpp"
+#include "channels/fagor/motion/way_counter.hpp"
 #include "channels/fagor/settings.hpp"
-#include "channels/fagor/spindle_override.hpp"
-#include "channels/fagor/values.hpp"
-#include "channels/fagor/way_counter.hpp"
 #include "channels/language.hpp"
 #include "channels/state/resume_points.hpp"
 
@@ -34,20 +36,20 @@ namespace polyturn::channels::fagor {
 struct CallFrame {
     enum class Kind : std::uint8_t { Main, Subroutine, Program, Repeat } kind = Kind::Main;
     FileId file = 0;
-    TextPosition resume;             // where the caller goes on
-    std::int64_t program = -1;       // its number
-    bool own_level = false;          // it has a set of local parameters
-    bool modal = false;              // run for MCALL or MEXEC: no further one inside
+    TextPosition resume;        // where the caller goes on
+    std::int64_t program = -1;  // its number
+    bool own_level = false;     // it has a set of local parameters
+    bool modal = false;         // run for MCALL or MEXEC: no further one inside
     bool interrupt = false;
-    bool maker = false;              // attribute O of its file
-    std::int32_t m_code = -1;        // subroutine of this M function
-    bool m_itself = false;           // the function itself follows
-    bool reads_again = false;        // the calling block goes on behind it
-    std::uint32_t given = 0;         // CALLP
-    std::int64_t runs_left = 0;      // of a modal call with N, of RPT
-    TextPosition begin;              // Repeat, and subroutines that run again
-    std::uint32_t last_line = 0;     // Repeat
-    AxisValues point{};              // interrupt: where the program was left, as programmed
+    bool maker = false;           // attribute O of its file
+    std::int32_t m_code = -1;     // subroutine of this M function
+    bool m_itself = false;        // the function itself follows
+    bool reads_again = false;     // the calling block goes on behind it
+    std::uint32_t given = 0;      // CALLP
+    std::int64_t runs_left = 0;   // of a modal call with N, of RPT
+    TextPosition begin;           // Repeat, and subroutines that run again
+    std::uint32_t last_line = 0;  // Repeat
+    AxisValues point{};           // interrupt: where the program was left, as programmed
 };
 
 class Interpreter final : public Language, private ReaderHost, private VariableHost {
@@ -73,16 +75,21 @@ public:
     void take_carry(const std::any& before, bool after_reset) override;
 
     // --- handlers of g_codes.cpp
-    bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&), g_plane_of_axes(const GCode&), g_distance(const GCode&);
-    bool g_feed_mode(const GCode&), g_spindle_mode(const GCode&), g_corner(const GCode&), g_look_ahead(const GCode&);
+    bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&),
+        g_plane_of_axes(const GCode&), g_distance(const GCode&);
+    bool g_feed_mode(const GCode&), g_spindle_mode(const GCode&), g_corner(const GCode&),
+        g_look_ahead(const GCode&);
     bool g_mirror(const GCode&), g_mirror_axes(const GCode&), g_scale(const GCode&);
     void look_ahead(double percent, double error_mm, double square_deg);
     bool g_comp(const GCode&), g_zone_limit(const GCode&), g_zone(const GCode&);
     bool ends_reading() const;
-    bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&), g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
-    bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&), g_withdrawal(const GCode&), g_hard_stop(const GCode&);
+    bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&),
+        g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
+    bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&),
+        g_withdrawal(const GCode&), g_hard_stop(const GCode&);
     bool g_probe(const GCode&), g_inclined(const GCode&);
-    bool g_section(const GCode&), g_drilling(const GCode&), g_threading(const GCode&), g_grooving(const GCode&), g_profile(const GCode&);
+    bool g_section(const GCode&), g_drilling(const GCode&), g_threading(const GCode&),
+        g_grooving(const GCode&), g_profile(const GCode&);
 
 private:
     // reading and flow (interpreter.cpp)
@@ -95,12 +102,14 @@ private:
     bool inside_modal_call() const;
     void index_subroutines(FileId file);
     Step fault(Fault fault);
-    Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
+    Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {},
+                  double v0 = 0, double v1 = 0);
     void live_value_barrier();
     void finish(StopReason reason);
     void clear_modal();
     void show_diameter();
-    bool fail_word(const Word& word, Alarm alarm, std::string detail = {}, double v0 = 0, double v1 = 0);
+    bool fail_word(const Word& word, Alarm alarm, std::string detail = {}, double v0 = 0,
+                   double v1 = 0);
 
     // calls (calls.cpp)
     std::optional<TextPosition> find_label(FileId file, std::int64_t label);
@@ -124,18 +133,22 @@ private:
     static std::string_view cycle_name(unsigned number);
     bool has(char letter) const { return (letters_ & letter_bit(letter)) != 0; }
     const Word* word(char letter) const;
-    double number(char letter) const { const Word* w = word(letter); return w ? w->value : 0.0; }
+    double number(char letter) const {
+        const Word* w = word(letter);
+        return w ? w->value : 0.0;
+    }
     bool coded(GGroup group) const { return coded_[static_cast<std::size_t>(group)] != nullptr; }
     bool has_axes() const { return axis_word_count_ != 0; }
     bool whole(const Word& word, std::int64_t& value);
     double unit() const { return modal_.inch ? 25.4 : 1.0; }
-    double length(double programmed, int place) const;      // true mm (X as a radius) or degrees
+    double length(double programmed, int place) const;  // true mm (X as a radius) or degrees
     double distance(char letter) const { return number(letter) * unit(); }
-    double from_length(double true_mm, int place) const;    // as the program would write it
+    double from_length(double true_mm, int place) const;  // as the program would write it
     double from_length_plain(double mm) const;
     bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
-    bool managed() { return core_.port().tool_table() != nullptr; }   // tool management answers T
-    bool asks_for_tool();              // the T or M06 of this block is executed first; true: it was told just now
+    bool managed() { return core_.port().tool_table() != nullptr; }  // tool management answers T
+    // the T or M06 of this block is executed first; true: it was told just now
+    bool asks_for_tool();
     bool take_over_change();
     void tell_tool(ToolField field, std::size_t n, double value);
 
@@ -151,22 +164,22 @@ private:
     bool limit_surface_speed(bool said = false);
 
     // points and motion (points.cpp, g_motion.cpp)
-    bool stands_still();                                  // g_settings.cpp
+    bool at_standstill();  // g_settings.cpp
     bool read_point(AxisValues& target, AxisSet* named);
     bool polar_point(AxisValues& target);
     bool angle_point(AxisValues& target);
     bool plane_places(unsigned& p, unsigned& q);
-    void polar_origin(double& p, double& q) const;          // in the part, before mirror and scale
+    void polar_origin(double& p, double& q) const;  // in the part, before mirror and scale
     void set_polar_origin(double p, double q);
     void reset_polar_origin();
     void refresh_frame();
     bool straight(const AxisValues& target, bool rapid);
     bool drive_line(const AxisValues& programmed, bool rapid);
     bool read_point_without_polar(AxisValues& target);
-    void thread_way(const AxisValues& target, double& length, double& along) const;
+    void thread_travel(const AxisValues& target, double& length, double& along) const;
     int get_axis_type(unsigned place) const;
     bool only_positions(const AxisValues& target) const;
-    bool has_axes_beside(std::string_view letters) const;
+    bool has_positioning_axes(std::string_view letters) const;
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
     double largest_feed_on_arc(double from, double sweep, unsigned p, unsigned q) const;
@@ -175,33 +188,41 @@ private:
     bool drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise);
     bool begin_machine_block();
     char centre_letter(unsigned place) const;
-    bool tangent_arc(const AxisValues& target), three_point_arc(const AxisValues& target);
+    bool tangent_arc(const AxisValues&target), three_point_arc(const AxisValues&target);
     void refresh_zero();
 
     // cycles (g_cycles.cpp, g_profile.cpp)
-    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters), cycle_dwell(double& seconds);
+    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters),
+        cycle_not_negative(std::string_view letters), cycle_dwell(double&seconds);
     cycles::Point cycle_point(char abscissa, char ordinate);
     cycles::Point cycle_call_point();
     bool begin_cycle_block();
     void drop_compensation();
     bool read_profile(cycles::Contour& part, cycles::Contour& blank, bool& has_blank);
-    bool record_profile(const Interpreter& caller, FileId file, TextPosition from, std::uint32_t last_line, cycles::Point start, cycles::ContourRecorder& recorder,
-                        cycles::Contour& part, cycles::Contour& blank, bool& has_blank);
+    bool record_profile(const Interpreter& caller, FileId file, TextPosition from,
+                        std::uint32_t last_line, cycles::Point start,
+                        cycles::ContourRecorder& recorder, cycles::Contour& part,
+                        cycles::Contour& blank, bool& has_blank);
     cycles::Point caller_point(const Interpreter& caller);
-    bool repeat_passes(const cycles::Contour& part, cycles::Point call, double l, double m, bool square, double finishing);
+    bool repeat_passes(const cycles::Contour& part, cycles::Point call, double l, double m,
+                       bool square, double finishing);
     cycles::Contour close_for_tool(const cycles::Contour& part, bool facing, bool& closed);
     void close_for_nose(cycles::Contour& part, bool infeed_in_x, bool& closed);
     void keep_feed(double feed);
 
     // loops of a compensated contour (loop_scan.cpp)
     struct LoopPlan {
-        bool left_out = false, first = false;   // the block's way in the plane; the first one of its loop tells
-        std::optional<cycles::Point> end;       // otherwise where it ends instead
-        bool sharp = false;                     // only the chamfer or rounding at its end is left out
+        // the block's way in the plane; the first one of its loop tells
+        bool left_out = false, first = false;
+        std::optional<cycles::Point> end;  // otherwise where it ends instead
+        // only the chamfer or rounding at its end is left out
+        bool sharp = false;
     };
     bool scan_loops();
     compensation::Corner outer_corner() const;
-    std::vector<cycles::Element> record_ahead(const Interpreter& caller, cycles::ContourRecorder& recorder, unsigned p, unsigned q, std::uint64_t& to);
+    std::vector<cycles::Element> record_ahead(const Interpreter& caller,
+                                              cycles::ContourRecorder& recorder, unsigned p,
+                                              unsigned q, std::uint64_t& to);
     bool leave_out(AxisValues& target);
     bool ends_sharp() const;
     bool drive_left_out(const AxisValues& target, bool rapid);
@@ -227,13 +248,15 @@ private:
     Flow target(const char*& at, const char* end, Target& to);
     Flow assign(const Target& to, double value, const char* at);
     Flow flow_of(Expression::Status status);
-    Flow flow_fault(Alarm alarm, const char* at, std::size_t length = 1, std::string detail = {}, double value = 0.0);
-    Flow condition(const char*& at, const char* end), nothing_follows(const char*& at, const char* end);
-    Flow error_statement(const char*& at, const char* end), message_statement(const char*& at, const char* end);
-    Flow go_to(const char*& at, const char* end), repeat(const char*& at, const char* end);
+    Flow flow_fault(Alarm alarm, const char* at, std::size_t length = 1, std::string detail = {},
+                    double value = 0.0);
+    Flow condition(const char*&at, const char*end), nothing_follows(const char*&at, const char*end);
+    Flow error_statement(const char*&at, const char*end),
+        message_statement(const char*&at, const char*end);
+    Flow go_to(const char*&at, const char*end), repeat(const char*&at, const char*end);
     Flow call(const char*& at, const char* end, std::string_view how);
     Flow execute(const char*& at, const char* end, bool modal);
-    Flow open(const char*& at, const char* end), write(const char*& at, const char* end);
+    Flow open(const char*&at, const char*end), write(const char*&at, const char*end);
     Flow reposition(const char*& at, const char* end);
     bool keep_written();
     Flow skip_definition(const char*& at, const char* end);
@@ -276,8 +299,8 @@ private:
     void note_resume_point();
     bool is_plain_move() const;
 
-    SpindleOverride spindles_;       // behind the following
-    WayCounter ways_;                // between Core and the machine: the way of each axis
+    SpindleOverride spindles_;  // behind the following
+    TravelCounter ways_;        // between Core and the machine: the way of each axis
     Core core_;
     ProgramFiles* files_;
     Settings settings_;
@@ -293,53 +316,61 @@ private:
 
     // the block
     std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};
-    std::uint32_t letters_ = 0;                   // of words that are not bound to a G code
+    std::uint32_t letters_ = 0;  // of words that are not bound to a G code
     std::array<const Word*, 26> by_letter_{};
     std::array<const Word*, kChannelAxes> axis_words_{};
     unsigned axis_word_count_ = 0;
     std::array<const Word*, 7> m_words_{};
     unsigned m_count_ = 0;
-    std::uint32_t mirrors_ = 0;                   // G11 G12 G13 of this block: bits 1, 2, 4
-    const Word* element_word_ = nullptr;          // R of G36 to G39
-    const Word* number_word_ = nullptr;           // N of G41, G42, G159; K of G04
-    const Word* centre_second_ = nullptr;         // second word of one centre letter (plane XU)
-    std::int64_t repeats_ = -1;                   // N at the end of the block
-    AxisValues target_{};                         // of the part
-    bool in_machine_ = false;                     // G53 with motion
+    std::uint32_t mirrors_ = 0;            // G11 G12 G13 of this block: bits 1, 2, 4
+    const Word* element_word_ = nullptr;   // R of G36 to G39
+    const Word* number_word_ = nullptr;    // N of G41, G42, G159; K of G04
+    const Word* centre_second_ = nullptr;  // second word of one centre letter (plane XU)
+    std::int64_t repeats_ = -1;            // N at the end of the block
+    AxisValues target_{};                  // of the part
+    bool in_machine_ = false;              // G53 with motion
 
-    TextPosition line_at_;                        // of the block
-    bool title_allowed_ = false;                  // the line is the first of its text
+    TextPosition line_at_;        // of the block
+    bool title_allowed_ = false;  // the line is the first of its text
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false, fresh_ = false;
-    std::uint64_t managed_serial_ = 0;   // of the block whose T or M06 has been executed before the rest of it
-    bool change_pending_ = false;        // an M06 has been told; its tool is known when it has been executed
-    bool probing_ = false;                        // a probe move stands before its barrier
+    // of the block whose T or M06 has been executed before the rest of it
+    std::uint64_t managed_serial_ = 0;
+    // an M06 has been told; its tool is known when it has been executed
+    bool change_pending_ = false;
+    bool probing_ = false;  // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
-    std::uint64_t moves_at_touch_ = 0;            // no move since: the axes stand behind the touched point by
+    // no move since: the axes stand behind the touched point by
+    std::uint64_t moves_at_touch_ = 0;
     AxisValues braked_mm_{};
-    std::uint64_t settled_moves_ = 0;             // no move since: the axes are quiet
+    std::uint64_t settled_moves_ = 0;  // no move since: the axes are quiet
     unsigned quiet_looks_ = 0, settle_looks_ = 0;
     int inclined_place_ = -1, orthogonal_place_ = -1;
-    std::optional<Diagnosis> definition_fault_;   // of a SUB of the main program
-    bool interrupt_again_ = false;                // the block in which the program was left is read again
-    AxisValues interrupt_begin_{};                // its start
-    AxisValues interrupt_left_{};                 // where the subroutine has left the axes ...
-    bool interrupt_fill_ = false;                 // ... for those outside of the plane that the block read again does not name
-    bool first_run_ = true;          // FIRST
-    double began_ms_ = 0.0;                       // CYTIME counts from here
-    std::shared_ptr<ResumeState> interrupted_;    // what held there
-    std::map<std::uint64_t, LoopPlan> loops_;     // by the serial of their blocks
-    std::uint64_t scanned_to_ = 0;                // serial of the last block that has been looked at for loops; 0 none
-    bool scan_due_ = false, scanning_ = false, scan_over_ = false;   // behind this block; this interpreter only looks ahead; to here
-    bool reads_profile_ = false;                  // this interpreter only looks at a profile
+    std::optional<Diagnosis> definition_fault_;  // of a SUB of the main program
+    // the block in which the program was left is read again
+    bool interrupt_again_ = false;
+    AxisValues interrupt_begin_{};  // its start
+    AxisValues interrupt_left_{};   // where the subroutine has left the axes ...
+    // ... for those outside of the plane that the block read again does not name
+    bool interrupt_fill_ = false;
+    bool first_run_ = true;                     // FIRST
+    double began_ms_ = 0.0;                     // CYTIME counts from here
+    std::shared_ptr<ResumeState> interrupted_;  // what held there
+    std::map<std::uint64_t, LoopPlan> loops_;   // by the serial of their blocks
+    // serial of the last block that has been looked at for loops; 0 none
+    std::uint64_t scanned_to_ = 0;
+    // behind this block; this interpreter only looks ahead; to here
+    bool scan_due_ = false, scanning_ = false, scan_over_ = false;
+    bool reads_profile_ = false;  // this interpreter only looks at a profile
     std::uint32_t fault_column_ = 0, fault_length_ = 0, fault_line_ = 0;
     std::string message_;
     std::map<std::pair<FileId, std::int64_t>, TextPosition> labels_;
     std::map<std::int64_t, std::pair<FileId, TextPosition>> subroutines_;
-    std::set<std::int64_t> looked_twice_;   // by defined_twice()
-    std::deque<std::shared_ptr<const std::string>> texts_;   // of written programs that were run: their files read them
+    std::set<std::int64_t> looked_twice_;  // by defined_twice()
+    // of written programs that were run: their files read them
+    std::deque<std::shared_ptr<const std::string>> texts_;
     std::map<const std::string*, FileId> text_files_;
-    std::array<std::int8_t, 26> place_{};         // axis letter -> place; -1 none
+    std::array<std::int8_t, 26> place_{};  // axis letter -> place; -1 none
 
     ResumePoints<ResumeState> points_;
     std::uint64_t serial_ = 0;

@@ -1,8 +1,9 @@
 // INT1 to INT4: an input interrupts the program by a subroutine (fagor_8037t part 2, 12.6).
 //
-// The kernel stops the path, drops what was pushed and tells the first block that is not executed. Interpretation goes back
-// there and the subroutine is called as if it stood before that block; it keeps the local parameters. Behind RET the block in
-// which the program was left is driven to its end, from wherever the subroutine (or its REPOS) has left the axes.
+// The kernel stops the path, drops what was pushed and tells the first block that is not executed.
+// Interpretation goes back there and the subroutine is called as if it stood before that block; it
+// keeps the local parameters. Behind RET the block in which the program was left is driven to its
+// end, from wherever the subroutine (or its REPOS) has left the axes.
 #include "channels/fagor/resume_state.hpp"
 
 namespace polyturn::channels::fagor {
@@ -30,7 +31,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     interrupted_->path = core_.path;
     interrupted_->modal = modal_;
     take_machine();
-    if (within) core_.taps(false);   // of a tap that is broken off nobody else would end it
+    if (within) core_.taps(false);  // of a tap that is broken off nobody else would end it
     modal_.modal_call = {};
     CallFrame frame;
     frame.kind = CallFrame::Kind::Subroutine;
@@ -50,12 +51,14 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     return true;
 }
 
-// An axis outside of the plane that neither REPOS nor the block read again names stays where the subroutine has left it.
+// An axis outside of the plane that neither REPOS nor the block read again names stays where the
+// subroutine has left it.
 void Interpreter::stay_where_left() {
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (!axis_words_[i] && static_cast<int>(i) != p && static_cast<int>(i) != q) core_.path.programmed[i] = interrupt_left_[i];
+        if (!axis_words_[i] && static_cast<int>(i) != p && static_cast<int>(i) != q)
+            core_.path.programmed[i] = interrupt_left_[i];
 }
 
 // RET: what held before holds again; parameters keep what the subroutine has written.
@@ -73,12 +76,14 @@ bool Interpreter::return_from_interrupt() {
     path.exact_stop_mode = before.path.exact_stop_mode;
     path.override_locked = before.path.override_locked;
     path.plane = before.path.plane;
-    path.plane_p = before.path.plane_p, path.plane_q = before.path.plane_q;
+    path.plane_p = before.path.plane_p;
+    path.plane_q = before.path.plane_q;
     if (path.zero_row != before.path.zero_row) core_.select_zero(before.path.zero_row);
     show_diameter();
     interrupt_left_ = path.programmed;
     interrupt_fill_ = interrupt_again_;
-    if (interrupt_again_) path.programmed = interrupt_begin_;   // the block is read again: increments and centres count from its start
+    // the block is read again: increments and centres count from its start
+    if (interrupt_again_) path.programmed = interrupt_begin_;
     called_ = true;
     arm_interrupts();
     return true;

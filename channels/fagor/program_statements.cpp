@@ -1,5 +1,5 @@
-// Statements that run and write other texts: RPT, CALL, PCALL, MCALL, SUB, EXEC, MEXEC, OPEN, WRITE, REPOS
-// (fagor_8037t part 2, 12.4 to 12.7).
+// Statements that run and write other texts: RPT, CALL, PCALL, MCALL, SUB, EXEC, MEXEC, OPEN,
+// WRITE, REPOS (fagor_8037t part 2, 12.4 to 12.7).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,7 +21,9 @@ bool comma(const char*& at, const char* end) {
 // HD, DNC2, DNCE: where the program lies; all of them are one place here.
 bool folder(const char*& at, const char* end) {
     for (const std::string_view name : {"DNC2", "DNCE", "HD"}) {
-        if (static_cast<std::size_t>(end - at) < name.size() || std::string_view(at, name.size()) != name) continue;
+        if (static_cast<std::size_t>(end - at) < name.size() ||
+            std::string_view(at, name.size()) != name)
+            continue;
         at += name.size();
         return true;
     }
@@ -37,18 +39,24 @@ Interpreter::Flow Interpreter::repeat(const char*& at, const char* end) {
     if (!comma(at, end)) return flow_fault(Alarm::FagorStatement, begin, 1, "RPT");
     if (const Flow flow = number_of_statement(at, end, 'N', last); flow != Flow::Done) return flow;
     if (comma(at, end)) {
-        if (const Flow flow = number_of_statement(at, end, 'P', program); flow != Flow::Done) return flow;
+        if (const Flow flow = number_of_statement(at, end, 'P', program); flow != Flow::Done)
+            return flow;
     }
     if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     FileId file = frames_.back().file;
     if (program >= 0) {
         const auto found = find_program(program);
-        if (!found) return flow_fault(Alarm::SubprogramMissing, begin, 1, "P" + std::to_string(program));
+        if (!found)
+            return flow_fault(Alarm::SubprogramMissing, begin, 1, "P" + std::to_string(program));
         file = *found;
     }
     const auto from = find_label(file, first), to = find_label(file, last);
-    if (!from || !to) return flow_fault(Alarm::SequenceNumberMissing, begin, 1, std::to_string(from ? last : first));
-    if (from->line > to->line) return flow_fault(Alarm::FagorLabelOrder, begin, 1, "N" + std::to_string(first) + " N" + std::to_string(last));
+    if (!from || !to)
+        return flow_fault(Alarm::SequenceNumberMissing, begin, 1,
+                          std::to_string(from ? last : first));
+    if (from->line > to->line)
+        return flow_fault(Alarm::FagorLabelOrder, begin, 1,
+                          "N" + std::to_string(first) + " N" + std::to_string(last));
     const std::int64_t count = block_.repeat < 0 ? 1 : block_.repeat;
     if (count < 1) return Flow::Done;
     CallFrame frame;
@@ -75,10 +83,13 @@ Interpreter::Flow Interpreter::call(const char*& at, const char* end, std::strin
         if (count == 26) return flow_fault(Alarm::WordsTooMany, item);
         Target to;
         if (const Flow flow = target(at, end, to); flow != Flow::Done) return flow;
-        if (to.row || to.number < 0 || to.number >= static_cast<std::int64_t>(kLocals)) return flow_fault(Alarm::MacroArgument, item, 1, target_name(to));
+        if (to.row || to.number < 0 || to.number >= static_cast<std::int64_t>(kLocals))
+            return flow_fault(Alarm::MacroArgument, item, 1, target_name(to));
         blanks(at, end);
-        if (at != end && *at == '=') ++at;
-        else if (!to.by_letter) return flow_fault(Alarm::FagorStatement, item, 1, std::string(how));
+        if (at != end && *at == '=')
+            ++at;
+        else if (!to.by_letter)
+            return flow_fault(Alarm::FagorStatement, item, 1, std::string(how));
         double value = 0.0;
         if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
         arguments[static_cast<std::size_t>(to.number)] = value;
@@ -88,7 +99,8 @@ Interpreter::Flow Interpreter::call(const char*& at, const char* end, std::strin
     CallFrame frame;
     frame.given = given;
     if (how == "MCALL") {
-        if (inside_modal_call()) return flow_fault(Alarm::FagorStatement, begin, 1, "MCALL in a modal subroutine");
+        if (inside_modal_call())
+            return flow_fault(Alarm::FagorStatement, begin, 1, "MCALL in a modal subroutine");
         modal_.modal_call = {ModalCall::Kind::Subroutine, number, arguments, given};
         frame.modal = true;
     }
@@ -103,8 +115,10 @@ Interpreter::Flow Interpreter::skip_definition(const char*& at, const char* end)
     std::int64_t number = 0;
     const char* const begin = at;
     if (const Flow flow = number_of_statement(at, end, 0, number); flow != Flow::Done) return flow;
-    if (number > 20'000) return flow_fault(Alarm::FagorValueRange, begin, 1, "SUB", static_cast<double>(number));
-    if (number >= 10'000 && !frames_.back().maker) return flow_fault(Alarm::FagorMakerSubroutine, begin, 1, std::to_string(number));
+    if (number > 20'000)
+        return flow_fault(Alarm::FagorValueRange, begin, 1, "SUB", static_cast<double>(number));
+    if (number >= 10'000 && !frames_.back().maker)
+        return flow_fault(Alarm::FagorMakerSubroutine, begin, 1, std::to_string(number));
     if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     std::string_view line;
     const std::uint32_t here = core_.at.line;
@@ -121,12 +135,16 @@ Interpreter::Flow Interpreter::skip_definition(const char*& at, const char* end)
 Interpreter::Flow Interpreter::execute(const char*& at, const char* end, bool modal) {
     const char* const begin = at;
     std::int64_t number = 0;
-    if (const Flow flow = number_of_statement(at, end, 'P', number); flow != Flow::Done) return flow;
-    if (comma(at, end) && !folder(at, end)) return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1, modal ? "MEXEC" : "EXEC");
+    if (const Flow flow = number_of_statement(at, end, 'P', number); flow != Flow::Done)
+        return flow;
+    if (comma(at, end) && !folder(at, end))
+        return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1,
+                          modal ? "MEXEC" : "EXEC");
     if (const Flow flow = nothing_follows(at, end); flow != Flow::Done) return flow;
     CallFrame frame;
     if (modal) {
-        if (inside_modal_call()) return flow_fault(Alarm::FagorExecForbidden, begin, 1, "P" + std::to_string(number));
+        if (inside_modal_call())
+            return flow_fault(Alarm::FagorExecForbidden, begin, 1, "P" + std::to_string(number));
         modal_.modal_call = {ModalCall::Kind::Program, number, {}, 0};
         frame.modal = true;
     }
@@ -139,19 +157,23 @@ Interpreter::Flow Interpreter::execute(const char*& at, const char* end, bool mo
 Interpreter::Flow Interpreter::open(const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t number = 0;
-    if (const Flow flow = number_of_statement(at, end, 'P', number); flow != Flow::Done) return flow;
+    if (const Flow flow = number_of_statement(at, end, 'P', number); flow != Flow::Done)
+        return flow;
     char how = 0;
     std::string title;
     while (comma(at, end)) {
         if (folder(at, end)) continue;
-        if (at != end && (*at == 'A' || *at == 'D') && !how) how = *at++;
-        else if (!quoted(at, end, title)) return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1, "OPEN");
+        if (at != end && (*at == 'A' || *at == 'D') && !how)
+            how = *at++;
+        else if (!quoted(at, end, title))
+            return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1, "OPEN");
     }
     WrittenProgram* written = nullptr;
     for (WrittenProgram& program : modal_.written)
         if (program.number == number) written = &program;
     const auto stored = written ? std::optional<FileId>() : files_->find_number(number, ".PIT");
-    if ((written || stored) && !how) return flow_fault(Alarm::FagorProgramExists, begin, 1, "P" + std::to_string(number));
+    if ((written || stored) && !how)
+        return flow_fault(Alarm::FagorProgramExists, begin, 1, "P" + std::to_string(number));
     std::string text;
     if (how == 'A' && written) text = *written->text;
     if (how == 'A' && stored) {
@@ -171,11 +193,13 @@ Interpreter::Flow Interpreter::open(const char*& at, const char* end) {
     return Flow::Done;
 }
 
-// The program that was open is complete: it goes into the machine's program memory, where there is one.
+// The program that was open is complete: it goes into the machine's program memory, where there is
+// one.
 bool Interpreter::keep_written() {
     if (modal_.writing < 0 || !files_->keeps() || reads_profile_ || scanning_) return true;
     for (const WrittenProgram& program : modal_.written)
-        if (program.number == modal_.writing && !files_->keep(fmt::format("{:06}.PIT", program.number), *program.text))
+        if (program.number == modal_.writing &&
+            !files_->keep(fmt::format("{:06}.PIT", program.number), *program.text))
             return core_.fail(Alarm::FileUnreadable, 0, fmt::format("{:06}.PIT", program.number));
     return true;
 }
@@ -185,7 +209,8 @@ Interpreter::Flow Interpreter::write(const char*& at, const char* end) {
     if (modal_.writing < 0) return flow_fault(Alarm::FagorWriteClosed, at == end ? at - 1 : at, 1);
     blanks(at, end);
     const std::string_view block(at, static_cast<std::size_t>(end - at));
-    const bool statement = block.substr(0, block.find(';')).find('(') != std::string_view::npos;   // behind skip signs and a label too
+    // behind skip signs and a label too
+    const bool statement = block.substr(0, block.find(';')).find('(') != std::string_view::npos;
     for (WrittenProgram& program : modal_.written) {
         if (program.number != modal_.writing) continue;
         std::string text = *program.text + with_parameters(block, statement) + '\n';
@@ -195,7 +220,8 @@ Interpreter::Flow Interpreter::write(const char*& at, const char* end) {
     return Flow::Done;
 }
 
-// Back to where the interrupt has stopped the program, axis by axis; those of the plane together (12.6).
+// Back to where the interrupt has stopped the program, axis by axis; those of the plane together
+// (12.6).
 Interpreter::Flow Interpreter::reposition(const char*& at, const char* end) {
     const char* const begin = at;
     const CallFrame* interrupt = nullptr;
@@ -207,7 +233,9 @@ Interpreter::Flow Interpreter::reposition(const char*& at, const char* end) {
     AxisSet done = 0;
     for (;;) {
         blanks(at, end);
-        const int place = at != end && *at >= 'A' && *at <= 'Z' ? place_[static_cast<std::size_t>(*at - 'A')] : -1;
+        const int place = at != end && *at >= 'A' && *at <= 'Z'
+                              ? place_[static_cast<std::size_t>(*at - 'A')]
+                              : -1;
         if (place < 0) return flow_fault(Alarm::FagorStatement, at == end ? begin : at, 1, "REPOS");
         ++at;
         const auto i = static_cast<unsigned>(place);

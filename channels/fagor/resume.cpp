@@ -1,4 +1,5 @@
-// Resume states of fagor: see Language::resume_at. Parameters, tables and zeros are put back from the undo log.
+// Resume states of fagor: see Language::resume_at. Parameters, tables and zeros are put back from
+// the undo log.
 #include "channels/fagor/resume_state.hpp"
 
 namespace polyturn::channels::fagor {
@@ -13,8 +14,12 @@ void Interpreter::keep_resume_states(bool on) {
 
 // A block of nothing but axis words, after which only positions differ.
 bool Interpreter::is_plain_move() const {
-    if (modal_.motion > 1 || core_.path.after_thread || block_.label >= 0 || core_.vector_pending() || modal_.feed_code == 32) return false;
-    if (modal_.modal_call.kind != ModalCall::Kind::None || block_.count == 0 || core_.path.feed <= 0.0) return false;
+    if (modal_.motion > 1 || core_.path.after_thread || block_.label >= 0 ||
+        core_.vector_pending() || modal_.feed_code == 32)
+        return false;
+    if (modal_.modal_call.kind != ModalCall::Kind::None || block_.count == 0 ||
+        core_.path.feed <= 0.0)
+        return false;
     for (unsigned k = 0; k < block_.count; ++k)
         if (!axis_number(block_.words[k].letter)) return false;
     return true;
@@ -22,7 +27,9 @@ bool Interpreter::is_plain_move() const {
 
 void Interpreter::note_resume_point() {
     values_.begin_block(serial_);
-    points_.note(core_, serial_, source_->next_position(), 0, state_changed_, [this] { return ResumeState{{}, modal_, frames_, values_.levels()}; });
+    points_.note(core_, serial_, source_->next_position(), 0, state_changed_, [this] {
+        return ResumeState{{}, modal_, frames_, values_.levels()};
+    });
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -49,7 +56,9 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     return true;
 }
 
-bool Interpreter::may_resume_at(std::uint64_t serial) const { return points_.may_go_back(core_, serial); }
+bool Interpreter::may_resume_at(std::uint64_t serial) const {
+    return points_.may_go_back(core_, serial);
+}
 
 bool Interpreter::offsets_changed() {
     if (core_.reads_ahead() || core_.transformed()) return false;
@@ -67,7 +76,8 @@ void Interpreter::active_codes(std::string& out) const {
         out += std::to_string(number);
     };
     add(modal_.motion);
-    for (const unsigned code : {modal_.plane, modal_.corner, modal_.comp, modal_.feed_code, modal_.zero, modal_.zero_added})
+    for (const unsigned code : {modal_.plane, modal_.corner, modal_.comp, modal_.feed_code,
+                                modal_.zero, modal_.zero_added})
         if (code) add(code);
     if (modal_.zero == 159) out += " N" + std::to_string(modal_.zero_number);
     add(modal_.absolute ? 90 : 91);
@@ -77,7 +87,8 @@ void Interpreter::active_codes(std::string& out) const {
 
 // Arithmetic parameters: local ones of the running level, global, of the user, of the maker.
 void Interpreter::list_variables(const ShowVariable& show) const {
-    values_.each_parameter([&](std::size_t number, double value) { show("P" + std::to_string(number), value); });
+    values_.each_parameter(
+        [&](std::size_t number, double value) { show("P" + std::to_string(number), value); });
 }
 
 }  // namespace polyturn::channels::fagor

@@ -27,7 +27,8 @@ Settings read_settings(const Table& t, unsigned l) {
     s.probe_override = on(fg_fovrg75);
     s.probe_error = on(fg_proberr);
     for (unsigned n = 0; n < 4; ++n) {
-        static constexpr decltype(fg_int1sub) kSubs[] = {fg_int1sub, fg_int2sub, fg_int3sub, fg_int4sub};
+        static constexpr decltype(fg_int1sub) kSubs[] = {fg_int1sub, fg_int2sub, fg_int3sub,
+                                                         fg_int4sub};
         s.interrupt_subroutine[n] = whole(kSubs[n]);
     }
     s.look_ahead_kind = whole(fg_lookatyp);
@@ -41,12 +42,16 @@ Settings read_settings(const Table& t, unsigned l) {
         const auto code = static_cast<std::int32_t>(get(t, fg_mfun, l, n));
         if (code < 0) continue;
         const auto flags = static_cast<unsigned>(get(t, fg_mflags, l, n));
-        s.m_table.push_back({code, static_cast<std::int32_t>(get(t, fg_msub, l, n)), (flags & 2u) != 0, (flags & 4u) != 0, (flags & 8u) != 0, (flags & 1u) != 0});
+        s.m_table.push_back({code, static_cast<std::int32_t>(get(t, fg_msub, l, n)),
+                             (flags & 2u) != 0, (flags & 4u) != 0, (flags & 8u) != 0,
+                             (flags & 1u) != 0});
     }
-    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles) {
+    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l));
+        spindle >= 1 && spindle <= kMaxSpindles) {
         s.thread_angle = get(t, fg_m19type, spindle) != 0;
         s.gear_automatic = get(t, fg_autogear, spindle) != 0;
-        static constexpr decltype(fg_maxgear1) kGears[] = {fg_maxgear1, fg_maxgear2, fg_maxgear3, fg_maxgear4};
+        static constexpr decltype(fg_maxgear1) kGears[] = {fg_maxgear1, fg_maxgear2, fg_maxgear3,
+                                                           fg_maxgear4};
         for (std::size_t n = 0; n < 4; ++n) s.gear_max[n] = get(t, kGears[n], spindle);
         s.spindle_override_min = static_cast<double>(get(t, fg_minsovr, spindle));
         s.spindle_override_max = static_cast<double>(get(t, fg_maxsovr, spindle));
@@ -62,8 +67,10 @@ void prepare_axes(MachineView& view) {
         axis.diameter = fagor_shows_diameter(view.table(), a, axis.diameter);
         if (!axis.rotary || !axis.rollover) continue;
         const auto type = get(view.table(), fg_axistype, a);
-        axis.rollover_shortest = type >= 3;              // positioning axes and Hirth: the shortest way
-        axis.rollover_sign_is_direction = type < 3;      // otherwise the sign is the direction (3.7)
+        // positioning axes and Hirth: the shortest way
+        axis.rollover_shortest = type >= 3;
+        // otherwise the sign is the direction (3.7)
+        axis.rollover_sign_is_direction = type < 3;
         axis.rollover_reduces_increments = false;
     }
 }

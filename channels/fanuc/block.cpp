@@ -1,10 +1,11 @@
-// One block of words: what it codes, whether every word has a taker, and the order in which it acts.
+// One block of words: what it codes, whether every word has a taker, and the order in which it
+// acts.
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "channels/fanuc/feed_words.hpp"
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/fanuc/motion/feed_words.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
@@ -14,9 +15,12 @@ constexpr std::uint32_t bit_of(GGroup group) { return 1u << static_cast<unsigned
 
 // Series 15 only (fanuc_lathe 8.1). A value of 0 is told by who needs a feed.
 bool feed_in_range(Core& core, const Word& word, FeedKind kind, double value, bool inch) {
-    const bool fine_axes = core.view().axis_count > 0 && core.view().axes[0].increment < 0.0005;   // IS-C
+    // IS-C
+    const bool fine_axes = core.view().axis_count > 0 && core.view().axes[0].increment < 0.0005;
     const FeedRange range = series15_range(kind, word.has_point, inch, fine_axes);
-    return range.holds(value) || core.fail(Alarm::ValueOutOfRange, word.address, fmt::format("{}: {} to {}", word.address, range.low, range.high));
+    return range.holds(value) ||
+           core.fail(Alarm::ValueOutOfRange, word.address,
+                     fmt::format("{}: {} to {}", word.address, range.low, range.high));
 }
 
 std::string g_name(double value) {
@@ -26,7 +30,8 @@ std::string g_name(double value) {
     return text;
 }
 
-// The bits that would make it a code: G95 is one of systems B and C. Nothing: it is none in any of them.
+// The bits that would make it a code: G95 is one of systems B and C. Nothing: it is none in any of
+// them.
 std::string known_elsewhere(const Settings& settings, double tenths) {
     std::uint8_t systems = 0;
     for (const GCode& row : g_codes())
@@ -34,8 +39,11 @@ std::string known_elsewhere(const Settings& settings, double tenths) {
     if (settings.nct || settings.mefi || !(systems & kFanuc)) return {};
     std::string where;
     if ((systems & kA) && settings.system != kA) where += "A: F3401#6 = 0, #7 = 0";
-    if ((systems & kB) && settings.system != kB) where += std::string(where.empty() ? "" : "; ") + "B: F3401#6 = 1" + (settings.system == kC ? ", #7 = 0" : "");
-    if ((systems & kC) && settings.system != kC) where += std::string(where.empty() ? "" : "; ") + "C: F3401#7 = 1";
+    if ((systems & kB) && settings.system != kB)
+        where += std::string(where.empty() ? "" : "; ") + "B: F3401#6 = 1" +
+                 (settings.system == kC ? ", #7 = 0" : "");
+    if ((systems & kC) && settings.system != kC)
+        where += std::string(where.empty() ? "" : "; ") + "C: F3401#7 = 1";
     return where.empty() ? where : " (" + where + ")";
 }
 
@@ -73,25 +81,30 @@ bool Interpreter::classify() {
             if (comma_count_ == comma_words_.size() || settings_.mefi) {
                 fault_column_ = word.column;
                 fault_length_ = word.length;
-                return core_.fail(Alarm::AddressIllegal, 0, std::string(",") + static_cast<char>(letter - 32));
+                return core_.fail(Alarm::AddressIllegal, 0,
+                                  std::string(",") + static_cast<char>(letter - 32));
             }
             comma_words_[comma_count_++] = static_cast<std::uint8_t>(i);
             continue;
         }
         if (letter == 'G') {
             const double tenths = word.value * 10.0, whole_tenths = std::nearbyint(tenths);
-            const GCode* row = std::fabs(tenths - whole_tenths) < 1e-6 && whole_tenths >= 0 && whole_tenths < 10000
-                                   ? table_.find(drilling_name(static_cast<std::uint32_t>(whole_tenths))) : nullptr;
+            const GCode* row =
+                std::fabs(tenths - whole_tenths) < 1e-6 && whole_tenths >= 0 && whole_tenths < 10000
+                    ? table_.find(drilling_name(static_cast<std::uint32_t>(whole_tenths)))
+                    : nullptr;
             if (!row) {
                 fault_column_ = word.column;
                 fault_length_ = word.length;
-                return core_.fail(Alarm::GCodeUnknown, 'G', g_name(word.value) + known_elsewhere(settings_, whole_tenths));
+                return core_.fail(Alarm::GCodeUnknown, 'G',
+                                  g_name(word.value) + known_elsewhere(settings_, whole_tenths));
             }
             if (g_count_ < g_words_.size()) g_words_[g_count_++] = static_cast<std::uint8_t>(i);
             coded_[static_cast<std::size_t>(row->group)] = row;
             coded_groups_ |= bit_of(row->group);
         } else if (letter == 'M') {
-            if (word.from_expression) block_.words[i].value = whole_steps(word.value, 1.0);   // fanuc_lathe 6.1
+            // fanuc_lathe 6.1
+            if (word.from_expression) block_.words[i].value = whole_steps(word.value, 1.0);
             if (m_count_ == m_words_.size()) return too_many_words(word);
             m_words_[m_count_++] = static_cast<std::uint8_t>(i);
         } else if (axis_letters_ >> (letter - 'A') & 1u) {
@@ -100,23 +113,34 @@ bool Interpreter::classify() {
         }
     }
     // H behind G43, G44, G43.7, G43.4, G43.1 is an offset number, not the increment of an axis.
-    const bool tip_control = (coded_groups_ & bit_of(GGroup::Transform)) && coded_[static_cast<std::size_t>(GGroup::Transform)]->act == &Interpreter::g_length;
-    if (((coded_groups_ & bit_of(GGroup::Length)) || tip_control) && block_.has('H') && absolute_axis_['H' - 'A'] < 0) {
+    const bool tip_control =
+        (coded_groups_ & bit_of(GGroup::Transform)) &&
+        coded_[static_cast<std::size_t>(GGroup::Transform)]->act == &Interpreter::g_length;
+    if (((coded_groups_ & bit_of(GGroup::Length)) || tip_control) && block_.has('H') &&
+        absolute_axis_['H' - 'A'] < 0) {
         unsigned kept = 0;
         for (unsigned k = 0; k < axis_word_count_; ++k)
-            if (block_.words[axis_words_[k]].axis >= 0 || block_.words[axis_words_[k]].address != 'H') axis_words_[kept++] = axis_words_[k];
+            if (block_.words[axis_words_[k]].axis >= 0 ||
+                block_.words[axis_words_[k]].address != 'H')
+                axis_words_[kept++] = axis_words_[k];
         axis_word_count_ = kept;
     }
     return !settings_.mefi || says_it_once();
 }
 
-// A milling channel calls three drilling cycles by the numbers that a lathe needs for turning (N1503#0, N1611#0).
+// A milling channel calls three drilling cycles by the numbers that a lathe needs for turning
+// (N1503#0, N1611#0).
 std::uint32_t Interpreter::drilling_name(std::uint32_t tenths) const {
     constexpr std::uint32_t kNoCode = 9999;
-    if (settings_.milling_drills && (tenths == 1830 || tenths == 1840 || tenths == 1860)) return kNoCode;   // aliases of the codes that have moved
-    if (settings_.nct && (tenths == 1830 || tenths == 1840 || tenths == 1860)) return (tenths - 1000) + 1;   // G183 is G83.1 (nct part 2 17.4)
+    // aliases of the codes that have moved
+    if (settings_.milling_drills && (tenths == 1830 || tenths == 1840 || tenths == 1860))
+        return kNoCode;
+    // G183 is G83.1 (nct part 2 17.4)
+    if (settings_.nct && (tenths == 1830 || tenths == 1840 || tenths == 1860))
+        return (tenths - 1000) + 1;
     if (!settings_.milling_drills) return tenths;
-    if (tenths == 831 || tenths == 841 || tenths == 861) return kNoCode;   // CSM = 0: these cycles have the numbers below, and no others (nct part 1 16.2)
+    // CSM = 0: these cycles have the numbers below, and no others (nct part 1 16.2)
+    if (tenths == 831 || tenths == 841 || tenths == 861) return kNoCode;
     return tenths == 730 ? 831 : tenths == 740 ? 841 : tenths == 760 ? 861 : tenths;
 }
 
@@ -126,13 +150,17 @@ bool Interpreter::check_words() {
     std::uint32_t taken = kAlways;
     for (std::uint32_t left = coded_groups_; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
-        if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));   // whatever words it has
+        // whatever words it has
+        if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));
         taken |= takes_[static_cast<std::size_t>(row - g_codes().data())];
     }
-    if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion)))) taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
+    if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion))))
+        taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
     if (m_count_) taken |= letter_set("PQL");
-    if (settings_.offsets_by_g || core_.view().config().kind == ChannelKind::Mill) taken |= letter_set("D");
-    if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKEIJ") | axis_letters_;
+    if (settings_.offsets_by_g || core_.view().config().kind == ChannelKind::Mill)
+        taken |= letter_set("D");
+    if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot)))
+        taken |= letter_set("RQPLKEIJ") | axis_letters_;
     if (length_word()) taken |= letter_set("H");
     if (parameter_input_) taken |= letter_set("NPR");
     if (life_.mode) taken |= letter_set("NPLQT");
@@ -147,7 +175,9 @@ bool Interpreter::check_words() {
     if (block_.name_length && !calls) {
         fault_column_ = block_.name_from;
         fault_length_ = block_.name_length + 2u;
-        return core_.fail(Alarm::AddressIllegal, 0, "<" + std::string(line_.substr(block_.name_from, block_.name_length)) + ">");
+        return core_.fail(
+            Alarm::AddressIllegal, 0,
+            "<" + std::string(line_.substr(block_.name_from, block_.name_length)) + ">");
     }
     const std::uint32_t extra = block_.letters & ~taken;
     if (!extra) return true;
@@ -157,7 +187,9 @@ bool Interpreter::check_words() {
 
 bool Interpreter::length_word() const {
     const GCode* active = active_[static_cast<std::size_t>(GGroup::Length)];
-    return settings_.power_on_length != 0 && !(coded_groups_ & bit_of(GGroup::Length)) && block_.has('H') && !(axis_letters_ & letter_bit('H')) && active && (active->tenths == 430 || active->tenths == 440);
+    return settings_.power_on_length != 0 && !(coded_groups_ & bit_of(GGroup::Length)) &&
+           block_.has('H') && !(axis_letters_ & letter_bit('H')) && active &&
+           (active->tenths == 430 || active->tenths == 440);
 }
 
 Step Interpreter::nc_block() {
@@ -165,10 +197,11 @@ Step Interpreter::nc_block() {
     core_.did();
     const std::uint64_t ways_before = core_.ways();
     bool calls = false;
-    if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
+    if (!settings_.g_calls.empty() || !settings_.m_calls.empty() ||
+        !settings_.letter_calls.empty() || settings_.t_calls) {
         if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
     }
-    bool called_behind = false;   // by G66.1, when the block has acted
+    bool called_behind = false;  // by G66.1, when the block has acted
     if (!calls && gives_arguments()) {
         if (const Word* const stop = stops_or_waits()) {
             if (!stands_alone(*stop)) return fault(core_.fault());
@@ -180,13 +213,15 @@ Step Interpreter::nc_block() {
     }
     b_.single_now = false;
     b_.ways = 0;
-    if (block_.has('G') && !calls && !b_.registering && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
+    // all words of such a block are the B axis'
+    if (block_.has('G') && !calls && !b_.registering && !settings_.nct && !settings_.mefi)
         for (std::size_t k = 0; k < block_.count; ++k)
-            if (block_.words[k].axis < 0 && block_.words[k].address == 'G' && block_.words[k].value == 110) {
+            if (block_.words[k].axis < 0 && block_.words[k].address == 'G' &&
+                block_.words[k].value == 110) {
                 if (!classify() || !g_b_single(*table_.find(1100))) return fault(core_.fault());
                 calls = true;
             }
-    if (b_.registering && !calls) {   // G101 to G100: nothing acts
+    if (b_.registering && !calls) {  // G101 to G100: nothing acts
         const bool ends = block_.has('G') && block_.value('G') >= 100 && block_.value('G') <= 103;
         if (!ends && (block_.letters & ~letter_set("NO"))) {
             if (!classify() || !b_record()) return fault(core_.fault());
@@ -196,15 +231,17 @@ Step Interpreter::nc_block() {
     const bool single_b = b_.single_now;
     if (!calls && !fresh_ && block_.has('G')) {
         if (!classify()) return fault(core_.fault());
-        if (switches_transformation() && !core_.reads_ahead()) {   // the axes rest first (architecture 5.8); the block is read again behind it
+        // the axes rest first (architecture 5.8); the block is read again behind it
+        if (switches_transformation() && !core_.reads_ahead()) {
             reread_ = true;
             line_left_ = false;
             live_value_barrier();
             return Step::AtBarrier;
         }
     }
-    if (!calls && block_.has('T') && !life_.mode && managed_serial_ != core_.at.serial && waits_for_tool()) {
-        if (core_.reads_ahead() && !fresh_) {   // what is held for its corner ends first
+    if (!calls && block_.has('T') && !life_.mode && managed_serial_ != core_.at.serial &&
+        waits_for_tool()) {
+        if (core_.reads_ahead() && !fresh_) {  // what is held for its corner ends first
             reread_ = true;
             line_left_ = false;
             live_value_barrier();
@@ -227,31 +264,41 @@ Step Interpreter::nc_block() {
         if (!pattern_dialogue(done)) return fault(core_.fault());
         if (!done) return dialogue_.asked ? Step::AtBarrier : Step::Continue;
     }
-    if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && (judge_points(), act())))) return fault(core_.fault());
+    if (!calls && !(classify() && transformation_allows() &&
+                    (is_macro_call() ? macro_call() : check_words() && (judge_points(), act()))))
+        return fault(core_.fault());
     b_.single_before = b_.single_now;
     if (core_.transformation_failed()) return fault(core_.fault());
-    if (interruption_.running && (block_.letters & ~letter_set("NO"))) interruption_.shows_end = false;
+    if (interruption_.running && (block_.letters & ~letter_set("NO")))
+        interruption_.shows_end = false;
     if (sub_program_ >= 0) {
         const std::int64_t program = sub_program_;
         sub_program_ = -1;
         called_ = true;
         if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) {
-            fault_column_ = sub_column_, fault_length_ = sub_length_;
+            fault_column_ = sub_column_;
+            fault_length_ = sub_length_;
             return fault(core_.fault());
         }
     }
     if (local_call_ >= 0 && !call_block(std::exchange(local_call_, -1))) {
-        fault_column_ = sub_column_, fault_length_ = sub_length_;
+        fault_column_ = sub_column_;
+        fault_length_ = sub_length_;
         return fault(core_.fault());
     }
-    if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
+    if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth &&
+        core_.at.block == finishing_.last && !end_finishing())
+        return fault(core_.fault());
     end_one_block_shift();
     if (core_.reads_ahead()) {
-        const bool counts = !called_ && (!calls || single_b) && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
-        if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
+        // calls belong to nobody's path
+        const bool counts =
+            !called_ && (!calls || single_b) && (block_.letters & ~letter_set("NO")) != 0;
+        if (!core_.end_compensated_block(counts, wants_barrier_, ended_))
+            return fault(core_.fault());
         if (core_.transformation_failed()) return fault(core_.fault());
     }
-    if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
+    if (managed_serial_ == core_.at.serial) core_.mark_emitted();  // its T came before the barrier
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
@@ -262,11 +309,14 @@ Step Interpreter::nc_block() {
         const ModalCall& modal = modal_calls_.back();
         if (!modal.every_block && core_.ways() - b_.ways != ways_before) {
             const LocalSet arguments = modal.arguments;
-            if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P')) return fault(core_.fault());
+            if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P'))
+                return fault(core_.fault());
         }
     }
     if (!modal_calls_.empty()) modal_calls_.back().armed = true;
-    if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
+    // a barrier ahead may be held back
+    if (core_.reads_ahead())
+        return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;
     if (ended_) return Step::Ended;
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }
@@ -274,17 +324,23 @@ Step Interpreter::nc_block() {
 // In the block of G65 and G66 all other words are arguments, and no other G code may stand there.
 bool Interpreter::is_macro_call() const {
     for (unsigned k = 0; k < g_count_; ++k)
-        if (const GCode* row = g_row(k); row && (row->act == &Interpreter::g_macro_call || row->act == &Interpreter::g_macro_modal)) return true;
+        if (const GCode* row = g_row(k); row && (row->act == &Interpreter::g_macro_call ||
+                                                 row->act == &Interpreter::g_macro_modal))
+            return true;
     return false;
 }
 
-const GCode* Interpreter::g_row(unsigned k) const { return table_.find(static_cast<std::uint32_t>(std::lround(block_.words[g_words_[k]].value * 10.0))); }
+const GCode* Interpreter::g_row(unsigned k) const {
+    return table_.find(
+        static_cast<std::uint32_t>(std::lround(block_.words[g_words_[k]].value * 10.0)));
+}
 
 bool Interpreter::macro_call() {
     const GCode* call = nullptr;
     for (unsigned k = 0; k < g_count_; ++k) {
         const GCode* row = g_row(k);
-        if (!call && (row->act == &Interpreter::g_macro_call || row->act == &Interpreter::g_macro_modal)) {
+        if (!call &&
+            (row->act == &Interpreter::g_macro_call || row->act == &Interpreter::g_macro_modal)) {
             call = row;
             continue;
         }
@@ -298,25 +354,37 @@ bool Interpreter::macro_call() {
 }
 
 bool Interpreter::act() {
-    if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot))) return g10_parameter_block();
+    if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot)))
+        return g10_parameter_block();
     if (life_.mode && !(coded_groups_ & bit_of(GGroup::OneShot))) return life_group_block();
     words_used_ = false;
     block_corner_ = {};
     // Settings, in the order of GGroup.
-    constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
+    constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) |
+                                    bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
     for (std::uint32_t left = coded_groups_ & ~kLate; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
         if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));
         if (!(this->*row->act)(*row)) return false;
         active_[static_cast<std::size_t>(row->group)] = row;
     }
-    if (length_word() && !g_length(*active_[static_cast<std::size_t>(GGroup::Length)])) return false;
-    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
-    if (one_shot && one_shot->tenths != 40) cycle_set_ = 0, cycle_taper_ = 0.0;
+    if (length_word() && !g_length(*active_[static_cast<std::size_t>(GGroup::Length)]))
+        return false;
+    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot)
+                                ? coded_[static_cast<std::size_t>(GGroup::OneShot)]
+                                : nullptr;
+    if (one_shot && one_shot->tenths != 40) {
+        cycle_set_ = 0;
+        cycle_taper_ = 0.0;
+    }
     if (coded_groups_ & bit_of(GGroup::Motion)) {
         const GCode* next = coded_[static_cast<std::size_t>(GGroup::Motion)];
-        if (next->act != &Interpreter::g_cycle_turning && next->act != &Interpreter::g_cycle_facing && next->act != &Interpreter::g_cycle_thread)
-            cycle_set_ = 0, cycle_taper_ = 0.0;
+        if (next->act != &Interpreter::g_cycle_turning &&
+            next->act != &Interpreter::g_cycle_facing &&
+            next->act != &Interpreter::g_cycle_thread) {
+            cycle_set_ = 0;
+            cycle_taper_ = 0.0;
+        }
         motion_ = coded_[static_cast<std::size_t>(GGroup::Motion)];
         active_[static_cast<std::size_t>(GGroup::Motion)] = motion_;
         drilling_ = nullptr;
@@ -325,11 +393,14 @@ bool Interpreter::act() {
     if (settings_.series15 && block_.has('E') && block_.value('E') != 0) {
         const Word& word = block_.word('E');
         const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
-        if (!feed_in_range(core_, word, FeedKind::Lead, fine_feed(word, plain, true, inch_), inch_)) return false;
+        if (!feed_in_range(core_, word, FeedKind::Lead, fine_feed(word, plain, true, inch_), inch_))
+            return false;
     }
     for (unsigned k = 0; k < comma_count_; ++k)
         if (!corner_word(block_.words[comma_words_[k]])) return false;
-    if (comma_angle_ >= 0 && (motion_->tenths != 10 || one_shot || drilling_)) return corner_word(block_.words[static_cast<std::size_t>(comma_angle_)]);   // refused
+    // refused
+    if (comma_angle_ >= 0 && (motion_->tenths != 10 || one_shot || drilling_))
+        return corner_word(block_.words[static_cast<std::size_t>(comma_angle_)]);
     if (coded_groups_ & bit_of(GGroup::Surface)) {
         const GCode* row = coded_[static_cast<std::size_t>(GGroup::Surface)];
         if (!(this->*row->act)(*row)) return false;
@@ -357,10 +428,13 @@ bool Interpreter::act() {
     } else if (drilling_) {
         if ((axis_word_count_ || block_.has('R')) && !run_drilling()) return false;
     } else if (words_used_) {
-        ;   // G51 X Z P names a point, and nothing moves
-    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || (angle_word() && motion_->tenths == 10 && !settings_.mefi) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
+        ;  // G51 X Z P names a point, and nothing moves
+    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) ||
+               (angle_word() && motion_->tenths == 10 && !settings_.mefi) || block_.has('I') ||
+               block_.has('J') || block_.has('K') || block_.has('R')) {
         if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
-        core_.path.feed_path.degree_mm = settings_.mefi ? 0.0 : unit_;   // F is the speed in the plane of millimetres and degrees
+        // F is the speed in the plane of millimetres and degrees
+        core_.path.feed_path.degree_mm = settings_.mefi ? 0.0 : unit_;
         if (!(this->*motion_->act)(*motion_)) return false;
     }
     return m_count_ ? m_after() : true;
@@ -370,15 +444,21 @@ bool Interpreter::act() {
 double Interpreter::length(const Word& word, int place) const {
     const MachineView& view = core_.view();
     const bool rotary = place >= 0 && view.axes[static_cast<std::size_t>(place)].rotary;
-    const double step = place >= 0 ? view.axes[static_cast<std::size_t>(place)].increment : view.axes[0].increment;
-    const double increment = inch_ && !rotary ? step * 0.1 : step;   // one more decimal place in inches
+    const double step =
+        place >= 0 ? view.axes[static_cast<std::size_t>(place)].increment : view.axes[0].increment;
+    // one more decimal place in inches
+    const double increment = inch_ && !rotary ? step * 0.1 : step;
     double value = word.value;
-    if (word.from_expression) value = whole_steps(value, increment) * increment;
-    else if (!word.has_point && !settings_.point_means_nothing) value *= increment;
+    if (word.from_expression)
+        value = whole_steps(value, increment) * increment;
+    else if (!word.has_point && !settings_.point_means_nothing)
+        value *= increment;
     return rotary ? value : value * unit_;
 }
 
-double Interpreter::radius_length(char letter) const { return block_.has(letter) ? length(block_.word(letter), -1) : 0.0; }
+double Interpreter::radius_length(char letter) const {
+    return block_.has(letter) ? length(block_.word(letter), -1) : 0.0;
+}
 
 Interpreter::AxisOf Interpreter::axis_of(const Word& word) const {
     if (word.axis >= 0) return {word.axis, !absolute_};
@@ -391,13 +471,18 @@ bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named
     const auto [place, incremental] = axis_of(word);
     const auto i = static_cast<std::size_t>(place);
     const ChannelAxis& axis = core_.view().axes[i];
-    if (polygon_on_ && turns_polygon(static_cast<unsigned>(place))) return core_.fail(Alarm::PolygonAxisMoved, word.address, std::string(axis.name));
+    if (polygon_on_ && turns_polygon(static_cast<unsigned>(place)))
+        return core_.fail(Alarm::PolygonAxisMoved, word.address, std::string(axis.name));
     double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);
     const Transformation& transformation = core_.path.transformation;
-    if (transformation.degrees && transformation.rotary_place() == place) value /= unit_ * transformation.degrees_per_mm();   // an angle
+    // an angle
+    if (transformation.degrees && transformation.rotary_place() == place)
+        value /= unit_ * transformation.degrees_per_mm();
     named |= 1u << i;
-    if (axis.rollover) target[i] = core_.rollover_target(static_cast<unsigned>(place), value, !incremental);
-    else target[i] = incremental ? core_.path.programmed[i] + value : value;
+    if (axis.rollover)
+        target[i] = core_.rollover_target(static_cast<unsigned>(place), value, !incremental);
+    else
+        target[i] = incremental ? core_.path.programmed[i] + value : value;
     return true;
 }
 
@@ -405,7 +490,8 @@ bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named
 bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
     if (away_) {
         bool incremental = false;
-        for (unsigned k = 0; k < axis_word_count_; ++k) incremental |= axis_of(block_.words[axis_words_[k]]).incremental;
+        for (unsigned k = 0; k < axis_word_count_; ++k)
+            incremental |= axis_of(block_.words[axis_words_[k]]).incremental;
         if (incremental) core_.displaced(*away_);
         if (axis_word_count_) away_.reset();
     }
@@ -423,7 +509,8 @@ bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
 bool Interpreter::whole(char letter, std::int64_t& value) {
     const Word& word = block_.word(letter);
     const double rounded = whole_steps(word.value, 1.0);
-    if (!word.from_expression && word.has_point) return core_.fail(Alarm::PointForbidden, letter, std::string(1, letter));
+    if (!word.from_expression && word.has_point)
+        return core_.fail(Alarm::PointForbidden, letter, std::string(1, letter));
     if (rounded < 0) return core_.fail(Alarm::NegativeSign, letter, std::string(1, letter));
     value = static_cast<std::int64_t>(rounded);
     return true;
@@ -431,19 +518,30 @@ bool Interpreter::whole(char letter, std::int64_t& value) {
 
 bool Interpreter::set_feed(const Word& word) {
     if (word.value < 0) return core_.fail(Alarm::NegativeSign, 'F', "F");
-    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
+    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot)
+                                ? coded_[static_cast<std::size_t>(GGroup::OneShot)]
+                                : nullptr;
     const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
-    const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes : (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable || motion_->act == &Interpreter::g_thread_arc ||
-                                         motion_->act == &Interpreter::g_cycle_thread);
-    const double programmed = fine_feed(word, plain, settings_.series15, inch_), fine = programmed * unit_;
+    const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes
+                                    : (motion_->act == &Interpreter::g_thread ||
+                                       motion_->act == &Interpreter::g_thread_variable ||
+                                       motion_->act == &Interpreter::g_thread_arc ||
+                                       motion_->act == &Interpreter::g_cycle_thread);
+    const double programmed = fine_feed(word, plain, settings_.series15, inch_),
+                 fine = programmed * unit_;
     if (settings_.series15 && word.value != 0) {
         const bool per_turn = threading || core_.path.feed_mode == FeedMode::PerRevolution;
-        const FeedKind kind = threading ? FeedKind::Lead : per_turn ? FeedKind::PerRevolution : FeedKind::PerMinute;
-        if (!feed_in_range(core_, word, kind, per_turn ? programmed : word.value, inch_)) return false;
+        const FeedKind kind = threading  ? FeedKind::Lead
+                              : per_turn ? FeedKind::PerRevolution
+                                         : FeedKind::PerMinute;
+        if (!feed_in_range(core_, word, kind, per_turn ? programmed : word.value, inch_))
+            return false;
     }
     if (threading) lead_ = fine;
-    if (core_.path.feed_mode == FeedMode::PerRevolution) core_.path.feed = fine;
-    else if (!threading) core_.path.feed = word.value * unit_;
+    if (core_.path.feed_mode == FeedMode::PerRevolution)
+        core_.path.feed = fine;
+    else if (!threading)
+        core_.path.feed = word.value * unit_;
     return true;
 }
 

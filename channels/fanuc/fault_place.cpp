@@ -1,11 +1,11 @@
 #include "channels/fanuc/fault_place.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
-
-#include <fmt/format.h>
 
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/text/chars.hpp"
@@ -18,9 +18,13 @@ std::size_t behind_value(std::string_view line, std::size_t at) {
     int depth = 0;
     for (; at < line.size(); ++at) {
         const char c = line[at];
-        if (c == '[') ++depth;
-        else if (c == ']') --depth;
-        else if (depth == 0 && !is_digit(c) && c != '.' && c != '-' && c != '+' && c != '#' && c != ' ') break;
+        if (c == '[')
+            ++depth;
+        else if (c == ']')
+            --depth;
+        else if (depth == 0 && !is_digit(c) && c != '.' && c != '-' && c != '+' && c != '#' &&
+                 c != ' ')
+            break;
     }
     while (at > 0 && line[at - 1] == ' ') --at;
     return at;
@@ -28,7 +32,9 @@ std::size_t behind_value(std::string_view line, std::size_t at) {
 
 bool moves(const GTable& table, std::string_view digits) {
     double value = 0;
-    if (std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc() || value < 0 || value > 999) return false;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc() ||
+        value < 0 || value > 999)
+        return false;
     const GCode* row = table.find(static_cast<std::uint32_t>(std::lround(value * 10.0)));
     return row && row->group == GGroup::Motion;
 }
@@ -48,10 +54,12 @@ LinePlace place_in_line(std::string_view line, const GTable& table, char letter)
             break;
         }
         const auto column = static_cast<std::uint32_t>(at + 1);
-        if (c == '#' || (is_capital(c) && at + 1 < line.size() && is_letter(line[at + 1]))) {   // a macro statement
+        // a macro statement
+        if (c == '#' || (is_capital(c) && at + 1 < line.size() && is_letter(line[at + 1]))) {
             if (first.column) break;
             std::size_t end = at + 1;
-            while (end < line.size() && (c == '#' ? is_digit(line[end]) : is_letter(line[end]))) ++end;
+            while (end < line.size() && (c == '#' ? is_digit(line[end]) : is_letter(line[end])))
+                ++end;
             return {column, static_cast<std::uint32_t>(end - at)};
         }
         if (!is_capital(c)) {
@@ -63,7 +71,8 @@ LinePlace place_in_line(std::string_view line, const GTable& table, char letter)
         if (c != 'N' && c != 'O') {
             if (!first.column) first = word;
             if (c == 'G') code = word;
-            if (c == 'G' && !moving.column && moves(table, line.substr(at + 1, end - at - 1))) moving = word;
+            if (c == 'G' && !moving.column && moves(table, line.substr(at + 1, end - at - 1)))
+                moving = word;
             if (c == letter) named = word;
         }
         at = end;
@@ -73,7 +82,8 @@ LinePlace place_in_line(std::string_view line, const GTable& table, char letter)
 
 namespace {
 
-// A length of the text has a decimal point. Comments, and words that are no lengths (G12.1, P1.12, F100.), say nothing.
+// A length of the text has a decimal point. Comments, and words that are no lengths (G12.1, P1.12,
+// F100.), say nothing.
 bool length_with_point(std::string_view line) {
     constexpr std::string_view kLengths = "XYZUVWABCIJKRE";
     for (std::size_t at = 0; at < line.size();) {
@@ -81,7 +91,9 @@ bool length_with_point(std::string_view line) {
         const char c = capital(line[at++]);
         if (!is_capital(c) || (at < line.size() && is_letter(line[at]))) continue;
         const std::size_t end = behind_value(line, at);
-        if (kLengths.find(c) != std::string_view::npos && line.substr(at, end - at).find('.') != std::string_view::npos) return true;
+        if (kLengths.find(c) != std::string_view::npos &&
+            line.substr(at, end - at).find('.') != std::string_view::npos)
+            return true;
         at = std::max(at, end);
     }
     return false;
@@ -98,10 +110,12 @@ bool file_has_points(const std::string& path) {
 
 }  // namespace
 
-// G0 X50 is 0.05 mm where F3401#0 is 0, as on the control. Whoever writes no point in a whole program means millimetres more often
-// than not: one warning, at the first such word.
+// G0 X50 is 0.05 mm where F3401#0 is 0, as on the control. Whoever writes no point in a whole
+// program means millimetres more often than not: one warning, at the first such word.
 void Interpreter::judge_points() {
-    if (points_judged_ || settings_.point_means_nothing || reads_contour_ || coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u) return;
+    if (points_judged_ || settings_.point_means_nothing || reads_contour_ ||
+        coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u)
+        return;
     for (unsigned k = 0; k < axis_word_count_ && !points_judged_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
         if (word.value == 0 || word.from_expression) continue;
@@ -110,7 +124,11 @@ void Interpreter::judge_points() {
         const AxisOf axis = axis_of(word);
         std::string meant = fmt::format("{} = {:.4f}", text_of(word), length(word, axis.place));
         meant.erase(meant.find_last_not_of('0') + 1);
-        core_.sink().alarm({Alarm::PointsMissing, {{}, core_.at.line, character_column(line_, word.column), word.length}, {}, meant}, core_.at);
+        core_.sink().alarm({Alarm::PointsMissing,
+                            {{}, core_.at.line, character_column(line_, word.column), word.length},
+                            {},
+                            meant},
+                           core_.at);
     }
 }
 

@@ -1,5 +1,6 @@
-// Where in a line that was read before the block stands that an alarm is about: its code that moves, else its last G code, else its
-// first word; the word with `letter` where that is named. A macro statement begins behind its block number.
+// Where in a line that was read before the block stands that an alarm is about: its code that
+// moves, else its last G code, else its first word; the word with `letter` where that is named. A
+// macro statement begins behind its block number.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -9,7 +10,8 @@
 namespace polyturn::channels::fanuc {
 
 struct LinePlace {
-    std::uint32_t column = 0, length = 0;   // in bytes, from 1; 0: the line holds several blocks, or none
+    // in bytes, from 1; 0: the line holds several blocks, or none
+    std::uint32_t column = 0, length = 0;
 };
 
 LinePlace place_in_line(std::string_view line, const GTable& table, char letter = 0);

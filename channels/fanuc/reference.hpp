@@ -1,4 +1,5 @@
-// The reference of the fanuc family as a page of the manual, printed from the tables that the interpreter works with.
+// The reference of the fanuc family as a page of the manual, printed from the tables that the
+// interpreter works with.
 #pragma once
 #include <string>
 

@@ -15,22 +15,26 @@ void Interpreter::keep_resume_states(bool on) {
 bool Interpreter::is_plain_move() const {
     constexpr std::uint32_t kPositions = letter_set("XYZUVW");
     const GCode* motion = motion_;
-    if (motion->tenths > 10 || drilling_ || !modal_calls_.empty() || parameter_input_ || life_.mode || core_.path.after_thread) return false;
-    return (block_.letters & ~kPositions) == 0 && block_.letters != 0 && block_.count > 0 && !core_.vector_pending();
+    if (motion->tenths > 10 || drilling_ || !modal_calls_.empty() || parameter_input_ ||
+        life_.mode || core_.path.after_thread)
+        return false;
+    return (block_.letters & ~kPositions) == 0 && block_.letters != 0 && block_.count > 0 &&
+           !core_.vector_pending();
 }
 
 void Interpreter::note_resume_point() {
     variables_.begin_block(serial_);
-    points_.note(core_, serial_, line_left_ ? source_->position() : source_->next_position(), line_left_ ? column_ : 0, state_changed_, [this] {
-        ResumeState state;
-        state.modal = values_of(modal());
-        state.frames = frames_;
-        state.loops = loops_;
-        state.modal_calls = modal_calls_;
-        state.levels = variables_.levels();
-        state.turned = turned_;
-        return state;
-    });
+    points_.note(core_, serial_, line_left_ ? source_->position() : source_->next_position(),
+                 line_left_ ? column_ : 0, state_changed_, [this] {
+                     ResumeState state;
+                     state.modal = values_of(modal());
+                     state.frames = frames_;
+                     state.loops = loops_;
+                     state.modal_calls = modal_calls_;
+                     state.levels = variables_.levels();
+                     state.turned = turned_;
+                     return state;
+                 });
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -70,9 +74,12 @@ bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
     return true;
 }
 
-bool Interpreter::may_resume_at(std::uint64_t serial) const { return points_.may_go_back(core_, serial); }
+bool Interpreter::may_resume_at(std::uint64_t serial) const {
+    return points_.may_go_back(core_, serial);
+}
 
-// nct N1337 #5: only incremental words move along with what was done by hand; every other path is the programmed one.
+// nct N1337 #5: only incremental words move along with what was done by hand; every other path is
+// the programmed one.
 void Interpreter::start_away(const AxisValues& by) {
     if (settings_.shifts_when_away) away_ = by;
 }

@@ -5,7 +5,9 @@
 namespace polyturn::channels::fanuc {
 
 template <class... Types>
-std::tuple<Types...> values_of(std::tuple<Types&...> references) { return references; }
+std::tuple<Types...> values_of(std::tuple<Types&...> references) {
+    return references;
+}
 
 struct Interpreter::ResumeState {
     PathState path;
@@ -14,7 +16,9 @@ struct Interpreter::ResumeState {
     std::vector<Loop> loops;
     std::vector<ModalCall> modal_calls;
     std::vector<LocalSet> levels;
-    decltype(Interpreter::turned_) turned;   // not modal: what an interrupt program has turned stays, an M19 or M3 that is void again has turned nothing
+    // not modal: what an interrupt program has turned stays, an M19 or M3 that is void again has
+    // turned nothing
+    decltype(Interpreter::turned_) turned;
 };
 
 }  // namespace polyturn::channels::fanuc

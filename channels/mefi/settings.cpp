@@ -1,18 +1,19 @@
 #include "channels/mefi/settings.hpp"
 
 #include "channels/nct/settings.hpp"
-#include "ipc/machine/work_zeros.hpp"
+#include "ipc/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::mefi {
 
 fanuc::Settings mefi_settings(const params::Table& t, unsigned l) {
-    // What the specification leaves open (T digits, dwell, feeds at power-on, M groups) is the machine's: its N parameters.
+    // What the specification leaves open (T digits, dwell, feeds at power-on, M groups) is the
+    // machine's: its N parameters.
     fanuc::Settings s = nct::nct_settings(t, l);
     s.system = fanuc::kM;
     s.dialect = Dialect::Mefi;
     s.mefi = true;
-    s.point_means_nothing = true;          // section 3: X100 is 100 mm
-    s.power_on_inch = false;               // section 3: millimetres
+    s.point_means_nothing = true;  // section 3: X100 is 100 mm
+    s.power_on_inch = false;       // section 3: millimetres
     s.power_on_incremental = false;
     s.power_on_per_revolution = false;
     s.g_calls.clear();

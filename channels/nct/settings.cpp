@@ -10,10 +10,13 @@ using namespace params;
 namespace {
 
 // A run of codes that call a run of programs; a negative start makes the calls modal.
-void add_run(std::vector<fanuc::CodeCall>& calls, double start, std::int64_t program, std::int64_t count, std::int32_t scale, std::int32_t step, bool macro, std::uint8_t modal) {
+void add_run(std::vector<fanuc::CodeCall>& calls, double start, std::int64_t program,
+             std::int64_t count, std::int32_t scale, std::int32_t step, bool macro,
+             std::uint8_t modal) {
     for (std::int64_t k = 0; k < count && k < 1000; ++k)
-        calls.push_back({static_cast<std::int32_t>(std::llround(std::fabs(start) * scale) + k * step), static_cast<std::int32_t>(program + k), macro,
-                         start < 0 ? modal : std::uint8_t{0}});
+        calls.push_back(
+            {static_cast<std::int32_t>(std::llround(std::fabs(start) * scale) + k * step),
+             static_cast<std::int32_t>(program + k), macro, start < 0 ? modal : std::uint8_t{0}});
 }
 
 }  // namespace
@@ -24,8 +27,11 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.system = fanuc::kN;
     s.dialect = Dialect::Nct;
     s.nct = true;
-    s.point_means_nothing = true;   // the examples of nct part 1 3.5, part 2 22.2 and 22.4: B380, Z5, X-30 are whole degrees and millimetres
-    s.tool.offset_digits = static_cast<unsigned>(get(t, n1413_no_of_digits_of_offs_no_in_t_code, l));
+    // the examples of nct part 1 3.5, part 2 22.2 and 22.4: B380, Z5, X-30 are whole degrees and
+    // millimetres
+    s.point_means_nothing = true;
+    s.tool.offset_digits =
+        static_cast<unsigned>(get(t, n1413_no_of_digits_of_offs_no_in_t_code, l));
     s.tool.geometry_by_tool = bit(t, n1414_comp_config_on_lathes, l, 1);
     s.tool.tip_from_wear = s.tool.geometry_by_tool && !bit(t, n1414_comp_config_on_lathes, l, 2);
     s.tool.zero_cancels_geometry = bit(t, n1414_comp_config_on_lathes, l, 3);
@@ -39,37 +45,54 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.skip_sign_drains = !bit(t, n1337_execution_config, l, 4);
     const double unit = bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
     s.compensation.look_back_blocks = static_cast<unsigned>(get(t, n1404_bk_no_interf, l));
-    s.compensation.check = !bit(t, n1403_interference, l, 0) ? compensation::Check::Off
-                           : bit(t, n1403_interference, l, 1) ? compensation::Check::Alarm : compensation::Check::Correct;
-    s.compensation.small_vector = std::fmax(get(t, n1405_deltv, l) * unit, compensation::kTangentialMm);
-    s.compensation.corner_feed = {get(t, n1407_decdist, l) * unit, get(t, n1408_accdist, l) * unit, get(t, n1409_cornangle, l), get(t, n1410_cornover, l)};
+    s.compensation.check = !bit(t, n1403_interference, l, 0)  ? compensation::Check::Off
+                           : bit(t, n1403_interference, l, 1) ? compensation::Check::Alarm
+                                                              : compensation::Check::Correct;
+    s.compensation.small_vector =
+        std::fmax(get(t, n1405_deltv, l) * unit, compensation::kTangentialMm);
+    s.compensation.corner_feed = {get(t, n1407_decdist, l) * unit, get(t, n1408_accdist, l) * unit,
+                                  get(t, n1409_cornangle, l), get(t, n1410_cornover, l)};
     s.compensation.inner_arc_feed_from = get(t, n1406_circover, l);
     s.chip_break_return = get(t, n1500_return_val_g73, l) * unit;
     s.peck_clearance = get(t, n1501_clearance_val_g83, l) * unit;
-    if (const auto percent = static_cast<double>(get(t, n1502_extraction_override_in_g85_g89, l)); percent > 0) s.bore_out_factor = percent / 100.0;
+    if (const auto percent = static_cast<double>(get(t, n1502_extraction_override_in_g85_g89, l));
+        percent > 0)
+        s.bore_out_factor = percent / 100.0;
     if (bit(t, n3001_g31_config, l, 0)) s.skip_feed = get(t, n0311_g31_feed, l) * unit;
     if (bit(t, n3003_g36_g37_config, l, 0)) s.measure_feed = get(t, n0312_g37_feed, l) * unit;
     s.measure_to_wear = bit(t, n3003_g36_g37_config, l, 1);
     s.measure_added = bit(t, n3003_g36_g37_config, l, 2);
     s.measure_input = static_cast<int>(get(t, n3002_sensor_input_of_g36_g37, l));
     for (unsigned n = 0; n < 3; ++n) {
-        static constexpr auto kRapid = {n3006_rapid_distance_x, n3008_rapid_distance_y, n3010_rapid_distance_z};
-        static constexpr auto kRange = {n3007_alarm_distance_x, n3009_alarm_distance_y, n3011_alarm_distance_z};
+        static constexpr auto kRapid = {n3006_rapid_distance_x, n3008_rapid_distance_y,
+                                        n3010_rapid_distance_z};
+        static constexpr auto kRange = {n3007_alarm_distance_x, n3009_alarm_distance_y,
+                                        n3011_alarm_distance_z};
         s.measure_rapid[n] = get(t, kRapid.begin()[n], l) * unit;
         s.measure_range[n] = get(t, kRange.begin()[n], l) * unit;
     }
     s.feed_per_minute = get(t, n0300_default_f_g94, l) * unit;
     s.feed_per_revolution = get(t, n0301_default_f_g95, l) * unit;
-    s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
-    if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
+    s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) *
+                      (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
+    if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) {
+        s.protected_first = first;
+        s.protected_last = get(t, n1703_write_prt_hig, l);
+    }
     const bool mill = get(t, n0001_control_type, l) == 1;
-    const bool lengths = mill || (bit(t, n1414_comp_config_on_lathes, l, 0) && bit(t, n1414_comp_config_on_lathes, l, 6));   // where G43 and G44 exist
-    if (lengths) s.power_on_length = bit(t, n1300_defaultg1, l, 5) ? 430 : bit(t, n1300_defaultg1, l, 6) ? 440 : 0;
+    // where G43 and G44 exist
+    const bool lengths = mill || (bit(t, n1414_comp_config_on_lathes, l, 0) &&
+                                  bit(t, n1414_comp_config_on_lathes, l, 6));
+    if (lengths)
+        s.power_on_length = bit(t, n1300_defaultg1, l, 5)   ? 430
+                            : bit(t, n1300_defaultg1, l, 6) ? 440
+                                                            : 0;
     s.offsets_by_g = mill || bit(t, n1414_comp_config_on_lathes, l, 0);
     s.keeps_offset = !bit(t, n1414_comp_config_on_lathes, l, 5);
     s.offsets_turn = !bit(t, n1414_comp_config_on_lathes, l, 7);
     s.second_geometry = bit(t, n1414_comp_config_on_lathes, l, 4);
-    s.milling_drills = mill && !bit(t, n1503_drilling_cycles_config, l, 0) && !bit(t, n1611_turning_cyc_config, l, 0);
+    s.milling_drills = mill && !bit(t, n1503_drilling_cycles_config, l, 0) &&
+                       !bit(t, n1611_turning_cyc_config, l, 0);
     s.tapping.orients = bit(t, n1503_drilling_cycles_config, l, 1);
     s.tapping.feedforward = bit(t, n1503_drilling_cycles_config, l, 2);
     s.tapping.own_acceleration_out = bit(t, n1503_drilling_cycles_config, l, 6);
@@ -78,9 +101,14 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.tapping.clearance = get(t, n1505_clearance_val_in_tapping, l) * unit;
     const auto share = [](double percent) { return percent > 0 ? percent / 100.0 : 1.0; };
     s.tapping.word_i = bit(t, n1503_drilling_cycles_config, l, 4);
-    if (s.tapping.word_i) s.tapping.out_factor = share(static_cast<double>(get(t, n1506_extraction_override_in_tapping, l)));
-    if (bit(t, n1503_drilling_cycles_config, l, 5)) s.tapping.return_factor = share(static_cast<double>(get(t, n1507_return_override_in_tapping, l)));
-    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles)
+    if (s.tapping.word_i)
+        s.tapping.out_factor =
+            share(static_cast<double>(get(t, n1506_extraction_override_in_tapping, l)));
+    if (bit(t, n1503_drilling_cycles_config, l, 5))
+        s.tapping.return_factor =
+            share(static_cast<double>(get(t, n1507_return_override_in_tapping, l)));
+    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l));
+        spindle >= 1 && spindle <= kMaxSpindles)
         s.tapping.code = static_cast<double>(get(t, n0823_m_code_for_closing_s_loop, spindle));
     if (!bit(t, n1758_intrrt_contr, l, 0)) {
         s.interrupt.on = s.interrupt.off = -1;
@@ -106,27 +134,44 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.stops_at_macros = bit(t, n1755_macro_contr, l, 2);
     s.positions_programmed = bit(t, n1755_macro_contr, l, 5);
     s.positions_with_length = !bit(t, n1755_macro_contr, l, 6);
-    s.hidden_programs = (bit(t, n1756_list_contr, l, 0) ? 0u : 1u) | (bit(t, n1756_list_contr, l, 1) ? 0u : 2u);
+    s.hidden_programs =
+        (bit(t, n1756_list_contr, l, 0) ? 0u : 1u) | (bit(t, n1756_list_contr, l, 1) ? 0u : 2u);
     for (unsigned n = 0; n < 10; ++n) {
         const auto g = get(t, nth(n1704_g_9010, n + 1), l);
-        if (g != 0) s.g_calls.push_back({static_cast<std::int32_t>(std::llabs(g) == 1000 ? 0 : std::llabs(g) * 10), static_cast<std::int32_t>(9010 + n), true, g < 0 ? modal : std::uint8_t{0}});
+        if (g != 0)
+            s.g_calls.push_back(
+                {static_cast<std::int32_t>(std::llabs(g) == 1000 ? 0 : std::llabs(g) * 10),
+                 static_cast<std::int32_t>(9010 + n), true, g < 0 ? modal : std::uint8_t{0}});
         const auto sub = get(t, nth(n1720_m_9000, n + 1), l);
-        if (sub > 0) s.m_calls.push_back({static_cast<std::int32_t>(sub), static_cast<std::int32_t>(9000 + n), false, 0});
+        if (sub > 0)
+            s.m_calls.push_back(
+                {static_cast<std::int32_t>(sub), static_cast<std::int32_t>(9000 + n), false, 0});
         const auto macro = get(t, nth(n1733_m_9020, n + 1), l);
-        if (macro > 0) s.m_calls.push_back({static_cast<std::int32_t>(macro), static_cast<std::int32_t>(9020 + n), true, 0});
+        if (macro > 0)
+            s.m_calls.push_back(
+                {static_cast<std::int32_t>(macro), static_cast<std::int32_t>(9020 + n), true, 0});
     }
-    add_run(s.g_calls, static_cast<double>(get(t, n1714_start_g_macro, l)), get(t, n1715_start_prg_no, l), get(t, n1716_no_of_g_codes, l), 10, 10, true, modal);
-    add_run(s.g_calls, static_cast<double>(get(t, n1717_start_dec_g_macro, l)), get(t, n1718_start_prg_no_dec_g, l), get(t, n1719_no_of_dec_g_codes, l), 10, 1, true, modal);
-    add_run(s.m_calls, static_cast<double>(get(t, n1730_start_m_subp, l)), get(t, n1731_start_prg_no_m_subp, l), get(t, n1732_no_of_m_codes, l), 1, 1, false, 0);
-    add_run(s.m_calls, static_cast<double>(get(t, n1743_start_m_macro, l)), get(t, n1744_start_prg_no_m_macro, l), get(t, n1745_no_of_m_macro_codes, l), 1, 1, true, 0);
+    add_run(s.g_calls, static_cast<double>(get(t, n1714_start_g_macro, l)),
+            get(t, n1715_start_prg_no, l), get(t, n1716_no_of_g_codes, l), 10, 10, true, modal);
+    add_run(s.g_calls, static_cast<double>(get(t, n1717_start_dec_g_macro, l)),
+            get(t, n1718_start_prg_no_dec_g, l), get(t, n1719_no_of_dec_g_codes, l), 10, 1, true,
+            modal);
+    add_run(s.m_calls, static_cast<double>(get(t, n1730_start_m_subp, l)),
+            get(t, n1731_start_prg_no_m_subp, l), get(t, n1732_no_of_m_codes, l), 1, 1, false, 0);
+    add_run(s.m_calls, static_cast<double>(get(t, n1743_start_m_macro, l)),
+            get(t, n1744_start_prg_no_m_macro, l), get(t, n1745_no_of_m_macro_codes, l), 1, 1, true,
+            0);
     static constexpr char kLetters[] = {'A', 'B', 'C', 'S', 'T'};
     for (unsigned n = 0; n < 5; ++n)
-        if (bit(t, n1746_abcst, l, n)) s.letter_calls.push_back({kLetters[n], static_cast<std::int32_t>(9030 + n), static_cast<std::int32_t>(195 + n)});
+        if (bit(t, n1746_abcst, l, n))
+            s.letter_calls.push_back({kLetters[n], static_cast<std::int32_t>(9030 + n),
+                                      static_cast<std::int32_t>(195 + n)});
     for (unsigned n = 0; n < 4; ++n) {
         const auto letter = get(t, nth(n1747_ascii_code_subp1, n + 1), l);
         const auto program = get(t, nth(n1751_prg_no_ascii_call1, n + 1), l);
         if (letter >= 'A' && letter <= 'Z' && program > 0)
-            s.letter_calls.push_back({static_cast<char>(letter), static_cast<std::int32_t>(program), static_cast<std::int32_t>(191 + n)});
+            s.letter_calls.push_back({static_cast<char>(letter), static_cast<std::int32_t>(program),
+                                      static_cast<std::int32_t>(191 + n)});
     }
     return s;
 }

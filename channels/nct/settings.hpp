@@ -1,4 +1,5 @@
-// nct: the fanuc family's words of system B, set up by the N parameters (spec: nct parameters, parts 1 and 2).
+// nct: the fanuc family's words of system B, set up by the N parameters (spec: nct parameters,
+// parts 1 and 2).
 #pragma once
 #include "channels/fanuc/settings.hpp"
 

@@ -9,7 +9,7 @@ namespace {
 
 using Values = std::array<double, kMaxCurveAxes>;
 struct State {
-    Values p{}, t{}, k{};   // position, tangent, curvature (derivatives over s)
+    Values p{}, t{}, k{};  // position, tangent, curvature (derivatives over s)
 };
 
 // The axes of both records, and which of them are measured in s.
@@ -17,10 +17,12 @@ struct Frame {
     std::uint8_t count = 0;
     std::array<std::uint8_t, kMaxCurveAxes> axis{};
     std::array<bool, kMaxCurveAxes> measured{};
-    std::array<std::int8_t, kMaxCurveAxes> slot_before{}, slot_after{};   // -1: that record does not move it
+    // -1: that record does not move it
+    std::array<std::int8_t, kMaxCurveAxes> slot_before{}, slot_after{};
 };
 
-bool make_frame(const PathRecord& before, const PathRecord& after, bool linear, const PathLimits& limits, Frame& frame) {
+bool make_frame(const PathRecord& before, const PathRecord& after, bool linear,
+                const PathLimits& limits, Frame& frame) {
     for (std::size_t i = 0; i < before.axis_count; ++i) {
         if (frame.count == kMaxCurveAxes) return false;
         frame.axis[frame.count] = before.axis[i];
@@ -38,11 +40,13 @@ bool make_frame(const PathRecord& before, const PathRecord& after, bool linear, 
         }
         frame.slot_after[k] = static_cast<std::int8_t>(i);
     }
-    for (std::size_t k = 0; k < frame.count; ++k) frame.measured[k] = limits.axis[frame.axis[k]].rotary != linear;
+    for (std::size_t k = 0; k < frame.count; ++k)
+        frame.measured[k] = limits.axis[frame.axis[k]].rotary != linear;
     return true;
 }
 
-State state_of(const PathRecord& r, double s, const Frame& frame, bool after, const PathRecord& other) {
+State state_of(const PathRecord& r, double s, const Frame& frame, bool after,
+               const PathRecord& other) {
     SlotVector position;
     PathDerivatives d;
     position_at(r, s, position);
@@ -50,12 +54,15 @@ State state_of(const PathRecord& r, double s, const Frame& frame, bool after, co
     State state;
     for (std::size_t k = 0; k < frame.count; ++k) {
         const int slot = after ? frame.slot_after[k] : frame.slot_before[k];
-        if (slot < 0) {   // this record leaves the axis where the other one has it at the corner
-            state.p[k] = after ? other.end[static_cast<std::size_t>(frame.slot_before[k])] : other.start[static_cast<std::size_t>(frame.slot_after[k])];
+        if (slot < 0) {  // this record leaves the axis where the other one has it at the corner
+            state.p[k] = after ? other.end[static_cast<std::size_t>(frame.slot_before[k])]
+                               : other.start[static_cast<std::size_t>(frame.slot_after[k])];
             continue;
         }
         const auto i = static_cast<std::size_t>(slot);
-        state.p[k] = position[i], state.t[k] = d.first[i], state.k[k] = d.second[i];
+        state.p[k] = position[i];
+        state.t[k] = d.first[i];
+        state.k[k] = d.second[i];
     }
     return state;
 }
@@ -70,11 +77,11 @@ double norm(const Frame& f, const Values& a) { return std::sqrt(dot(f, a, a)); }
 
 // Series (1) of the header.
 struct Clothoid {
-    double trim, deviation;   // for halves of length 1
+    double trim, deviation;  // for halves of length 1
 };
 Clothoid clothoid(double turn) {
     const double h = 0.5 * turn, h2 = h * h;
-    double x = 0, y = 0, term = 1;   // term: (-h2)^n / (2n)!
+    double x = 0, y = 0, term = 1;  // term: (-h2)^n / (2n)!
     for (int n = 0; n < 12 && std::abs(term) > 1e-17; ++n) {
         x += term / (4 * n + 1);
         y += term * h / ((2 * n + 1) * (4.0 * n + 3));
@@ -85,31 +92,36 @@ Clothoid clothoid(double turn) {
 
 // What the corner alone decides.
 struct Corner {
-    State before, after;      // at the corner itself
-    Values turn{};            // after.t - before.t
+    State before, after;  // at the corner itself
+    Values turn{};        // after.t - before.t
     double angle = 0;
-    double trim_ratio = 1;    // trim / half length
+    double trim_ratio = 1;          // trim / half length
     double offset_ratio = 1.0 / 6;  // deviation / (half length |turn|)
-    double bend_ratio = 1;    // curvature in the middle * half length / |turn|
+    double bend_ratio = 1;          // curvature in the middle * half length / |turn|
 };
 
 // Halves of the blend with this trim as quintics over u in 0..1.
 struct Halves {
     std::array<Quintic, kMaxCurveAxes> first{}, second{};
 };
-Halves build(const PathRecord& a, const PathRecord& b, const Frame& f, const Corner& c, double trim) {
-    const State begin = state_of(a, a.length - trim, f, false, b), end = state_of(b, trim, f, true, a);
+Halves build(const PathRecord& a, const PathRecord& b, const Frame& f, const Corner& c,
+             double trim) {
+    const State begin = state_of(a, a.length - trim, f, false, b),
+                end = state_of(b, trim, f, true, a);
     const double l = trim / c.trim_ratio, whole = 2 * l;
     State middle;
     for (std::size_t k = 0; k < f.count; ++k) {
         // What the neighbours' curvature adds to the straight ones: offsets e, tangent changes g.
-        const double e0 = begin.p[k] - (c.before.p[k] - trim * c.before.t[k]), e1 = end.p[k] - (c.before.p[k] + trim * c.after.t[k]);
+        const double e0 = begin.p[k] - (c.before.p[k] - trim * c.before.t[k]),
+                     e1 = end.p[k] - (c.before.p[k] + trim * c.after.t[k]);
         const double g0 = begin.t[k] - c.before.t[k], g1 = end.t[k] - c.after.t[k];
-        middle.p[k] = c.before.p[k] + l * c.offset_ratio * c.turn[k] + 0.5 * (e0 + e1) + 5.0 / 32 * whole * (g0 - g1) +
-                      whole * whole / 64 * (begin.k[k] + end.k[k]);
-        middle.t[k] = 0.5 * (c.before.t[k] + c.after.t[k]) * c.trim_ratio + 1.875 * (e1 - e0) / whole - 0.4375 * (g0 + g1) +
+        middle.p[k] = c.before.p[k] + l * c.offset_ratio * c.turn[k] + 0.5 * (e0 + e1) +
+                      5.0 / 32 * whole * (g0 - g1) + whole * whole / 64 * (begin.k[k] + end.k[k]);
+        middle.t[k] = 0.5 * (c.before.t[k] + c.after.t[k]) * c.trim_ratio +
+                      1.875 * (e1 - e0) / whole - 0.4375 * (g0 + g1) +
                       whole / 32 * (end.k[k] - begin.k[k]);
-        middle.k[k] = c.bend_ratio * c.turn[k] / l + 1.5 * (g1 - g0) / whole - 0.25 * (begin.k[k] + end.k[k]);
+        middle.k[k] =
+            c.bend_ratio * c.turn[k] / l + 1.5 * (g1 - g0) / whole - 0.25 * (begin.k[k] + end.k[k]);
     }
     // Unit speed in the middle, curvature across it.
     const double speed = norm(f, middle.t);
@@ -120,7 +132,8 @@ Halves build(const PathRecord& a, const PathRecord& b, const Frame& f, const Cor
         if (f.measured[k]) middle.k[k] -= along * middle.t[k];
     Halves halves;
     for (std::size_t k = 0; k < f.count; ++k) {
-        const QuinticEnd left{begin.p[k], l * begin.t[k], l * l * begin.k[k]}, right{end.p[k], l * end.t[k], l * l * end.k[k]};
+        const QuinticEnd left{begin.p[k], l * begin.t[k], l * l * begin.k[k]},
+            right{end.p[k], l * end.t[k], l * l * end.k[k]};
         const QuinticEnd centre{middle.p[k], l * middle.t[k], l * l * middle.k[k]};
         halves.first[k] = hermite(left, centre);
         halves.second[k] = hermite(centre, right);
@@ -128,8 +141,10 @@ Halves build(const PathRecord& a, const PathRecord& b, const Frame& f, const Cor
     return halves;
 }
 
-// Largest distance from the programmed path at the same distance from the corner; rotary axes count degrees by themselves.
-double deviation(const PathRecord& a, const PathRecord& b, const Frame& f, const Halves& halves, double trim) {
+// Largest distance from the programmed path at the same distance from the corner; rotary axes count
+// degrees by themselves.
+double deviation(const PathRecord& a, const PathRecord& b, const Frame& f, const Halves& halves,
+                 double trim) {
     double worst = 0;
     const auto look = [&](const Quintic* q, double u, const PathRecord& r, double s, bool after) {
         const State programmed = state_of(r, s, f, after, after ? a : b);
@@ -140,7 +155,8 @@ double deviation(const PathRecord& a, const PathRecord& b, const Frame& f, const
         }
         worst = std::max(worst, norm(f, apart));
     };
-    for (double u : {0.2, 0.4, 0.6, 0.8, 1.0}) look(halves.first.data(), u, a, a.length - trim + u * trim, false);
+    for (double u : {0.2, 0.4, 0.6, 0.8, 1.0})
+        look(halves.first.data(), u, a, a.length - trim + u * trim, false);
     for (double u : {0.2, 0.4, 0.6, 0.8}) look(halves.second.data(), u, b, u * trim, true);
     return worst;
 }
@@ -153,7 +169,8 @@ bool add_half(const Frame& f, const std::array<Quintic, kMaxCurveAxes>& half, Bl
             BlendPiece& piece = blend.piece[blend.count + n];
             const double width = 1.0 / static_cast<double>(parts);
             for (std::size_t k = 0; k < f.count; ++k)
-                piece.position[k] = parts == 1 ? half[k] : part_of(half[k], width * static_cast<double>(n), width);
+                piece.position[k] =
+                    parts == 1 ? half[k] : part_of(half[k], width * static_cast<double>(n), width);
             good = fit_parameter(f.count, f.measured, piece);
         }
         if (good) {
@@ -164,14 +181,17 @@ bool add_half(const Frame& f, const std::array<Quintic, kMaxCurveAxes>& half, Bl
     return false;
 }
 
-// Trim beyond which the axes' limits are no longer what bounds `speed` at the corner (shares of blend.hpp's ceilings).
+// Trim beyond which the axes' limits are no longer what bounds `speed` at the corner (shares of
+// blend.hpp's ceilings).
 double useful_trim(const Frame& f, const Corner& c, double speed, const PathLimits& limits) {
     double trim = 0;
     const double v2 = speed * speed, v3 = v2 * speed;
     for (std::size_t k = 0; k < f.count; ++k) {
         const PathAxis& axis = limits.axis[f.axis[k]];
         const double turn = std::abs(c.turn[k]), bend = std::abs(c.after.k[k] - c.before.k[k]);
-        trim = std::max({trim, turn * v2 / (0.15 * axis.accel), std::sqrt(turn * v3 / (0.15 * axis.jerk)), 2.25 * bend * v3 / (1.6 * axis.jerk)});
+        trim = std::max({trim, turn * v2 / (0.15 * axis.accel),
+                         std::sqrt(turn * v3 / (0.15 * axis.jerk)),
+                         2.25 * bend * v3 / (1.6 * axis.jerk)});
     }
     return trim * c.trim_ratio;
 }
@@ -180,15 +200,18 @@ double useful_trim(const Frame& f, const Corner& c, double speed, const PathLimi
 
 bool linear_metric(const PathRecord& r, const PathLimits& limits) {
     for (std::size_t i = 0; i < r.axis_count; ++i)
-        if (!limits.axis[r.axis[i]].rotary && (r.start[i] != r.end[i] || static_cast<RecordKind>(r.kind) != RecordKind::Line)) return true;
+        if (!limits.axis[r.axis[i]].rotary &&
+            (r.start[i] != r.end[i] || static_cast<RecordKind>(r.kind) != RecordKind::Line))
+            return true;
     return false;
 }
 
-Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b, double room_after, double speed,
-                    const PathLimits& limits, Blend& blend) {
+Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b, double room_after,
+                    double speed, const PathLimits& limits, Blend& blend) {
     const bool linear = linear_metric(a, limits);
     Frame f;
-    if (linear != linear_metric(b, limits) || !make_frame(a, b, linear, limits, f)) return Junction::Stop;
+    if (linear != linear_metric(b, limits) || !make_frame(a, b, linear, limits, f))
+        return Junction::Stop;
     Corner c;
     c.before = state_of(a, a.length, f, false, b);
     c.after = state_of(b, 0, f, true, a);
@@ -209,9 +232,11 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
     const double size = norm(f, c.turn);
     c.angle = 2 * std::asin(std::min(1.0, 0.5 * size));
     if (c.angle > kSharpestTurn) return Junction::Stop;
-    if (c.angle > 1e-4) {   // below, the values of the limit T -> 0 hold to 1e-9
+    if (c.angle > 1e-4) {  // below, the values of the limit T -> 0 hold to 1e-9
         const Clothoid unit = clothoid(c.angle);
-        c.trim_ratio = unit.trim, c.offset_ratio = unit.deviation / size, c.bend_ratio = c.angle / size;
+        c.trim_ratio = unit.trim;
+        c.offset_ratio = unit.deviation / size;
+        c.bend_ratio = c.angle / size;
     }
 
     // The longest trim within tolerance and room.
@@ -221,7 +246,8 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
     if (apart > 0) trim = std::min(trim, tolerance / apart);
     if (bend > 0) trim = std::min(trim, std::sqrt(tolerance / (0.006 * bend)));
     trim = std::min(trim, std::max(useful_trim(f, c, speed, limits), 100 * kShortestTrim));
-    const bool lines = static_cast<RecordKind>(a.kind) == RecordKind::Line && static_cast<RecordKind>(b.kind) == RecordKind::Line;
+    const bool lines = static_cast<RecordKind>(a.kind) == RecordKind::Line &&
+                       static_cast<RecordKind>(b.kind) == RecordKind::Line;
     Halves halves;
     for (int trial = 0;; ++trial) {
         if (trim < kShortestTrim) return Junction::Stop;
@@ -246,8 +272,10 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
     blend.sides.arc = !lines;
     for (std::size_t k = 0; k < f.count; ++k) {
         blend.sides.axis[k] = f.axis[k];
-        blend.sides.before[k] = c.before.t[k], blend.sides.after[k] = c.after.t[k];
-        blend.sides.bend_before[k] = c.before.k[k], blend.sides.bend_after[k] = c.after.k[k];
+        blend.sides.before[k] = c.before.t[k];
+        blend.sides.after[k] = c.after.t[k];
+        blend.sides.bend_before[k] = c.before.k[k];
+        blend.sides.bend_after[k] = c.after.k[k];
     }
     return Junction::Blended;
 }

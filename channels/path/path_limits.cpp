@@ -5,15 +5,25 @@
 
 namespace polyturn::channels {
 
-PathLimits path_limits(const MachineConfig& machine, const params::Table& parameters, unsigned channel) {
+PathLimits path_limits(const MachineConfig& machine, const params::Table& parameters,
+                       unsigned channel) {
     PathLimits limits;
     for (std::size_t i = 0; i < kMaxAxes; ++i) {
         const AxisConfig& axis = machine.axes[i];
         if (!axis.exists()) continue;
         const AxisLimits& from = axis.limits;
-        limits.axis[i] = {from.rapid_mm_s, from.max_feed_mm_s, from.accel_mm_s2, from.normal_accel_mm_s2, from.jerk_mm_s3,
-                          from.speed_step_mm_s, from.accel_step_mm_s2, from.accel_step_arc_mm_s2, axis.rotary,
-                          params::get(parameters, params::n0422_rapid_reduct_ratio, static_cast<unsigned>(i) + 1) / 100.0};
+        limits.axis[i] = {from.rapid_mm_s,
+                          from.max_feed_mm_s,
+                          from.accel_mm_s2,
+                          from.normal_accel_mm_s2,
+                          from.jerk_mm_s3,
+                          from.speed_step_mm_s,
+                          from.accel_step_mm_s2,
+                          from.accel_step_arc_mm_s2,
+                          axis.rotary,
+                          params::get(parameters, params::n0422_rapid_reduct_ratio,
+                                      static_cast<unsigned>(i) + 1) /
+                              100.0};
     }
     const ChannelConfig& own = machine.channel(channel);
     limits.tolerance = params::get(parameters, params::pt_path_tol, channel);
@@ -26,7 +36,8 @@ PathLimits path_limits(const MachineConfig& machine, const params::Table& parame
     return limits;
 }
 
-Smoothing smoothing_of(const params::Table& t, const MachineConfig& machine, unsigned channel, int kind) {
+Smoothing smoothing_of(const params::Table& t, const MachineConfig& machine, unsigned channel,
+                       int kind) {
     using namespace params;
     Smoothing s;
     s.on = kind == 2 || kind == 3;
@@ -35,14 +46,18 @@ Smoothing smoothing_of(const params::Table& t, const MachineConfig& machine, uns
     s.longest = get(t, n3100_max_distance_of_a_block, channel) * unit;
     s.shortest = get(t, n3101_min_distance_of_a_block, channel) * unit;
     s.turn = get(t, n3102_angle_cancelling_smooth, channel) * std::numbers::pi / 180;
-    s.tolerance = (kind == 2 ? get(t, n3104_max_tolerance_of_smooth, channel) : get(t, n3106_tolerance_of_smooth2, channel)) * unit;
+    s.tolerance = (kind == 2 ? get(t, n3104_max_tolerance_of_smooth, channel)
+                             : get(t, n3106_tolerance_of_smooth2, channel)) *
+                  unit;
     if (kind == 2) {
         s.least = get(t, n3105_min_tolerance_of_smooth, channel) * unit;
         return s;
     }
-    s.always_below = std::min(get(t, n3107_dist_cancelling_of_angular_calc_in_smooth2, channel) * unit, 2 * s.tolerance);
+    s.always_below = std::min(
+        get(t, n3107_dist_cancelling_of_angular_calc_in_smooth2, channel) * unit, 2 * s.tolerance);
     for (std::size_t i = 0; i < kMaxAxes; ++i)
-        if (machine.axes[i].exists() && machine.axes[i].channel == channel && machine.axes[i].rotary) {
+        if (machine.axes[i].exists() && machine.axes[i].channel == channel &&
+            machine.axes[i].rotary) {
             const double most = get(t, n3108_tolerance_of_rot_ax_in_smooth2, i + 1);
             if (most > 0 && (s.rotary == 0 || most < s.rotary)) s.rotary = most;
         }

@@ -8,11 +8,12 @@
 namespace polyturn::channels {
 namespace {
 
-constexpr double kNothing = 1e-9;   // mm: a move or a rest of one that is shorter does not exist
+constexpr double kNothing = 1e-9;  // mm: a move or a rest of one that is shorter does not exist
 
 bool has(const PathRecord& r, std::uint32_t flag) { return (r.flags & flag) != 0; }
 
-// A spiral's fraction of the sweep over s, so that |dp/ds| = 1 although its radius changes (see path_geometry.hpp).
+// A spiral's fraction of the sweep over s, so that |dp/ds| = 1 although its radius changes (see
+// path_geometry.hpp).
 void fit_spiral(PathRecord& r) {
     const double radius = r.shape[arc_shape::kRadius], last = r.shape[arc_shape::kRadiusEnd];
     if (!(last > 0) || last == radius) return;
@@ -23,16 +24,25 @@ void fit_spiral(PathRecord& r) {
         const double around = (radius + widening * f) * sweep;
         return std::sqrt(around * around + widening * widening + others);
     };
-    const auto growth = [&](double f) { return (radius + widening * f) * widening * sweep * sweep / speed(f); };
-    double length = 0;   // Simpson over 16 strips
+    const auto growth = [&](double f) {
+        return (radius + widening * f) * widening * sweep * sweep / speed(f);
+    };
+    double length = 0;  // Simpson over 16 strips
     constexpr int kStrips = 16;
-    for (int n = 0; n <= kStrips; ++n) length += (n == 0 || n == kStrips ? 1 : n % 2 ? 4 : 2) * speed(static_cast<double>(n) / kStrips);
+    for (int n = 0; n <= kStrips; ++n)
+        length += (n == 0 || n == kStrips ? 1
+                   : n % 2                ? 4
+                                          : 2) *
+                  speed(static_cast<double>(n) / kStrips);
     length /= 3 * kStrips;
     const double v0 = speed(0), v1 = speed(1);
     const Quintic unit = hermite({0, length / v0, -length * length * growth(0) / (v0 * v0 * v0)},
                                  {1, length / v1, -length * length * growth(1) / (v1 * v1 * v1)});
     double power = 1;
-    for (std::size_t k = 0; k < 6; ++k) r.shape[curve_shape::kParameter + k] = unit[k] * power, power /= length;
+    for (std::size_t k = 0; k < 6; ++k) {
+        r.shape[curve_shape::kParameter + k] = unit[k] * power;
+        power /= length;
+    }
     r.length = length;
 }
 
@@ -54,8 +64,11 @@ void fill_piece(const Blend& blend, const BlendPiece& piece, PathRecord& r) {
 // No faster than feed override (200 %) can ask for: a blend for more would gain nothing.
 double useful_speed(const PathRecord& r, double ceiling) {
     constexpr double kMostOverride = 2;
-    const bool per_minute = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && !has(r, kRapid) && r.feed > 0;
-    return per_minute && static_cast<RecordKind>(r.kind) != RecordKind::Line ? std::min(ceiling, kMostOverride * r.feed) : ceiling;
+    const bool per_minute =
+        static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && !has(r, kRapid) && r.feed > 0;
+    return per_minute && static_cast<RecordKind>(r.kind) != RecordKind::Line
+               ? std::min(ceiling, kMostOverride * r.feed)
+               : ceiling;
 }
 
 // Below this turn a blend is always worth it.
@@ -70,7 +83,7 @@ PathRecord& PathMaker::next_move() {
 
 double PathMaker::length_of_next() {
     const double length = path_length(coming_.move, *limits_);
-    return length > kNothing ? length : 0;   // such a move vanishes
+    return length > kNothing ? length : 0;  // such a move vanishes
 }
 
 void PathMaker::add_move() {
@@ -81,9 +94,10 @@ void PathMaker::add_move() {
     next.from = 0;
     next.begun = false;
     next.number = ++number_;
-    if (has(next.move, kRapid) && limits_->rapid_in_position && !limits_->rapid_overlaps) next.move.flags |= kExactStop | kInPosition;
+    if (has(next.move, kRapid) && limits_->rapid_in_position && !limits_->rapid_overlaps)
+        next.move.flags |= kExactStop | kInPosition;
     if (chain_.empty()) {
-        next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
+        next.move.flags &= ~std::uint32_t{kThreadChained};  // nothing to go on from
         next.ceilings = ceilings_of(next.move, *limits_);
         chain_.push_back(next);
     } else {
@@ -141,7 +155,7 @@ void PathMaker::discard() {
 void PathMaker::close_chain() {
     if (running_) end_run();
     if (chain_.size() < 2) return;
-    join(chain_[0], chain_[1]);   // a single short corner: a blend like any other
+    join(chain_[0], chain_[1]);  // a single short corner: a blend like any other
     chain_.pop_front();
 }
 
@@ -153,21 +167,27 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
     return has(a, kSkipMove) || has(b, kSkipMove);
 }
 
-// What the program wants; how fast its spindle turns is not known here but for threads, so a usual speed is taken.
+// What the program wants; how fast its spindle turns is not known here but for threads, so a usual
+// speed is taken.
 double PathMaker::wanted_speed(const PathRecord& r) const {
     constexpr double kUsualRevS = 1000.0 / 60;
     switch (static_cast<FeedMode>(r.feed_mode)) {
-        case FeedMode::PerMinute: return r.feed > 0 ? r.feed : 1.0;
-        case FeedMode::PerRevolution: return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
+        case FeedMode::PerMinute:
+            return r.feed > 0 ? r.feed : 1.0;
+        case FeedMode::PerRevolution:
+            return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
         case FeedMode::Thread: {
-            const double lead = std::max(r.lead, std::sqrt(std::max(0.0, r.lead * r.lead + 2 * r.lead_change * r.length)));
+            const double lead = std::max(
+                r.lead, std::sqrt(std::max(0.0, r.lead * r.lead + 2 * r.lead_change * r.length)));
             return lead > 0 ? lead * (thread_rev_s_ > 0 ? thread_rev_s_ : kUsualRevS) : 1.0;
         }
-        default: return std::numeric_limits<double>::infinity();
+        default:
+            return std::numeric_limits<double>::infinity();
     }
 }
 
-// N0422: how far from its end a rapid move is when, braking, all its axes have come below their share of rapid traverse.
+// N0422: how far from its end a rapid move is when, braking, all its axes have come below their
+// share of rapid traverse.
 double PathMaker::overlap_way(const Kept& of) const {
     double speed = of.ceilings.v;
     for (std::size_t k = 0; k < of.move.axis_count; ++k) {
@@ -185,27 +205,34 @@ void PathMaker::join(Kept& a, Kept& b) {
     Ceilings rules{kNoRule, kNoRule, kNoRule};
     Junction junction = Junction::Stop;
     const bool overlap = has(a.move, kRapid) && has(b.move, kRapid);
-    const bool threads = has(a.move, kThread) && has(b.move, kThread) && has(b.move, kThreadChained);
+    const bool threads =
+        has(a.move, kThread) && has(b.move, kThread) && has(b.move, kThreadChained);
     if (!must_stop(a.move, b.move)) {
         double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
-        const double speed = std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
+        const double speed =
+            std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
         if (threads) {
             junction = blend_threads(a, b, speed, rules.v);
-        } else if (overlap) {   // they overlap: rounded as far as their braking lets them
+        } else if (overlap) {  // they overlap: rounded as far as their braking lets them
             PathLimits wide = *limits_;
             wide.tolerance = 2.0 * (a.move.length + b.move.length);
-            before = std::min(before, overlap_way(a)), after = std::min(after, overlap_way(b));
+            before = std::min(before, overlap_way(a));
+            after = std::min(after, overlap_way(b));
             junction = make_blend(a.move, before, b.move, after, speed, wide, blend_);
         } else {
             junction = make_blend(a.move, before, b.move, after, speed, *limits_, blend_);
         }
     }
     if (junction == Junction::Blended && !threads) {
-        if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
-        if (!overlap && blend_.angle > limits_->square_turn) junction = Junction::Stop;
-        else if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
+        // N0306 to N0309 speak of feeds
+        if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);
+        if (!overlap && blend_.angle > limits_->square_turn)
+            junction = Junction::Stop;
+        else if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules))
+            junction = Junction::Stop;
     }
-    if (threads && junction == Junction::Stop) b.move.flags &= ~std::uint32_t{kThreadChained};   // it begins anew behind the stop
+    // it begins anew behind the stop
+    if (threads && junction == Junction::Stop) b.move.flags &= ~std::uint32_t{kThreadChained};
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     if (junction != Junction::Blended) {
         put_part(a, a.move.length, true, junction == Junction::Stop);
@@ -219,18 +246,23 @@ void PathMaker::join(Kept& a, Kept& b) {
     b.from = blend_.trim;
 }
 
-// The record of `of` from what is out up to `to`. Nothing is left when both halves of a short move are blends.
+// The record of `of` from what is out up to `to`. Nothing is left when both halves of a short move
+// are blends.
 void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
     if (to - of.from <= kNothing && !last) return;
     PathRecord& r = out_->claim();
-    if (of.from == 0 && to == of.move.length) r = of.move;
-    else cut(of.move, of.from, to, r);
+    if (of.from == 0 && to == of.move.length)
+        r = of.move;
+    else
+        cut(of.move, of.from, to, r);
     store(of.ceilings, r);
     if (!of.begun) r.flags |= begin_flag(r);
     of.begun = true;
     if (last) r.flags |= end_flag(r);
-    if (stop) r.flags |= kExactStop;
-    else r.flags &= ~std::uint32_t{kExactStop | kInPosition};
+    if (stop)
+        r.flags |= kExactStop;
+    else
+        r.flags &= ~std::uint32_t{kExactStop | kInPosition};
     if (!last) r.flags &= ~std::uint32_t{kThreadEnd};
     out_->commit();
 }
@@ -249,45 +281,55 @@ double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
     return through;
 }
 
-// A thread stops nowhere, so between two that are joined there is a blend at any tolerance, also 0. Where the tolerance leaves the corner too
-// slow for the spindle, the blend becomes as long as its speed needs: with room to spare, for what the bend takes of the axes there is
-// missing where the thread begins and ends (ceilings.hpp). `most`: how fast it is driven at most.
+// A thread stops nowhere, so between two that are joined there is a blend at any tolerance, also 0.
+// Where the tolerance leaves the corner too slow for the spindle, the blend becomes as long as its
+// speed needs: with room to spare, for what the bend takes of the axes there is missing where the
+// thread begins and ends (ceilings.hpp). `most`: how fast it is driven at most.
 Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, double& most) {
-    constexpr double kSpare = 1.6, kOvershoot = 1.2;   // a spindle swings about its speed
+    constexpr double kSpare = 1.6, kOvershoot = 1.2;  // a spindle swings about its speed
     const double turning = std::max(wanted_speed(a.move), wanted_speed(b.move));
     const double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
     if (thread_rev_s_ > 0) most = kOvershoot * turning;
     const Junction narrow = make_blend(a.move, before, b.move, after, speed, *limits_, blend_);
     double length = 0;
-    if (narrow == Junction::Smooth || (narrow == Junction::Blended && through_blend(a, b, length) >= kSpare * turning)) return narrow;
+    if (narrow == Junction::Smooth ||
+        (narrow == Junction::Blended && through_blend(a, b, length) >= kSpare * turning))
+        return narrow;
     const Blend within = blend_;
     PathLimits wide = *limits_;
     wide.tolerance = 2.0 * (a.move.length + b.move.length);
-    if (make_blend(a.move, before, b.move, after, kSpare * turning, wide, blend_) == Junction::Blended) return Junction::Blended;
+    if (make_blend(a.move, before, b.move, after, kSpare * turning, wide, blend_) ==
+        Junction::Blended)
+        return Junction::Blended;
     blend_ = within;
     return narrow;
 }
 
-// Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking from V to w in time T
-// takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a blend also its own length at its own speed.
+// Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking
+// from V to w in time T takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a
+// blend also its own length at its own speed.
 bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
     double length = 0;
     const double through = std::min(rules.v, through_blend(a, b, length));
     double by_stop = 0, by_blend = 0;
     for (const Kept* side : {&a, &b}) {
         const Ceilings& c = side->ceilings;
-        const auto time = [&](double step) { return step < c.a * c.a / c.j ? 2 * std::sqrt(step / c.j) : step / c.a + c.a / c.j; };
+        const auto time = [&](double step) {
+            return step < c.a * c.a / c.j ? 2 * std::sqrt(step / c.j) : step / c.a + c.a / c.j;
+        };
         // What this move can reach from standstill in half its length: 0 to V takes V/2 time(V).
         double top = std::min(c.v, wanted_speed(side->move));
         for (int n = 0; n < 60 && 0.5 * top * time(top) > 0.5 * side->move.length; ++n) top *= 0.8;
         const double step = std::max(0.0, top - through);
         by_stop += 0.5 * time(top);
-        by_blend += 0.5 * time(step) * step / top + 0.5 * length * (1 / std::min(through, top) - 1 / top);
+        by_blend +=
+            0.5 * time(step) * step / top + 0.5 * length * (1 / std::min(through, top) - 1 / top);
     }
     return by_stop < by_blend;
 }
 
-void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last) {
+void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end,
+                           const Ceilings& rules, bool last) {
     for (std::size_t n = first; n < end; ++n) {
         PathRecord& r = out_->claim();
         r = of.move;
@@ -300,7 +342,8 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         if (has(r, kThread) && std::isfinite(rules.v)) r.feed = rules.v;
         Ceilings own = ceilings_of(r, *limits_);
         r.feed = of.move.feed;
-        own.v = std::min(own.v, rules.v), own.soften(rules.a);
+        own.v = std::min(own.v, rules.v);
+        own.soften(rules.a);
         store(own, r);
         out_->commit();
     }

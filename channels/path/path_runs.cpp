@@ -13,9 +13,11 @@ namespace {
 
 constexpr std::uint32_t kNoRun = kExactStop | kInPosition | kRapid | kThread | kSkipMove;
 
-// How much of the outer lines the curve may take: half of them, and about as much as its own lines are long, for an even
-// pace over the parameter.
-double outer_share(const PathRecord& outer, const PathRecord& inner) { return std::min(0.5 * outer.length, 2 * inner.length); }
+// How much of the outer lines the curve may take: half of them, and about as much as its own lines
+// are long, for an even pace over the parameter.
+double outer_share(const PathRecord& outer, const PathRecord& inner) {
+    return std::min(0.5 * outer.length, 2 * inner.length);
+}
 
 SplinePoint point_at(const PathRecord& line, double s) {
     SlotVector p{};
@@ -28,16 +30,22 @@ SplinePoint point_at(const PathRecord& line, double s) {
 }  // namespace
 
 bool PathMaker::may_run(const PathRecord& a, PathRecord& b) {
-    if (!(run_tolerance(a, *limits_, smoothing_) > 0) || ((a.flags | b.flags) & kNoRun) != 0) return false;
-    if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
+    if (!(run_tolerance(a, *limits_, smoothing_) > 0) || ((a.flags | b.flags) & kNoRun) != 0)
+        return false;
+    if (static_cast<RecordKind>(a.kind) != RecordKind::Line ||
+        static_cast<RecordKind>(b.kind) != RecordKind::Line)
+        return false;
     if (linear_metric(a, *limits_) != linear_metric(b, *limits_)) return false;
-    if (chain_.size() == 1 ? !agree_on_axes(chain_.back().move, b) : !agree_on_axes(scratch_ = a, b)) return false;
-    if (chain_.size() > 1 && scratch_.axis_count != a.axis_count) return false;   // the run has its axes already
+    if (chain_.size() == 1 ? !agree_on_axes(chain_.back().move, b)
+                           : !agree_on_axes(scratch_ = a, b))
+        return false;
+    // the run has its axes already
+    if (chain_.size() > 1 && scratch_.axis_count != a.axis_count) return false;
     return is_short_corner(a, b, chain_.size() == 1, *limits_, smoothing_);
 }
 
-// Both get the axes of both in the order of the earlier one: a line that leaves an axis where it is still has its place on
-// the curve. False when those are too many.
+// Both get the axes of both in the order of the earlier one: a line that leaves an axis where it is
+// still has its place on the curve. False when those are too many.
 bool PathMaker::agree_on_axes(PathRecord& a, PathRecord& b) const {
     PathRecord whole = b;
     const auto find = [](const PathRecord& r, std::uint8_t axis) {
@@ -69,9 +77,10 @@ bool PathMaker::agree_on_axes(PathRecord& a, PathRecord& b) const {
 
 // A line has been added to the chain: its corner with the one before belongs to the curve.
 void PathMaker::run_on() {
-    if (chain_.size() < 3) return;   // two corners at least, otherwise a blend does
+    if (chain_.size() < 3) return;  // two corners at least, otherwise a blend does
     if (!running_) begin_run();
-    spline_.add_vertex(point_at(chain_[chain_.size() - 2].move, chain_[chain_.size() - 2].move.length));
+    spline_.add_vertex(
+        point_at(chain_[chain_.size() - 2].move, chain_[chain_.size() - 2].move.length));
     put_run();
 }
 
@@ -80,8 +89,10 @@ void PathMaker::begin_run() {
     const double share = outer_share(first.move, chain_[1].move);
     std::array<bool, kMaxCurveAxes> measured{};
     const bool linear = linear_metric(first.move, *limits_);
-    for (std::size_t k = 0; k < first.move.axis_count; ++k) measured[k] = limits_->axis[first.move.axis[k]].rotary != linear;
-    spline_.begin(point_at(first.move, first.move.length - share), first.move.axis_count, measured, run_tolerance(first.move, *limits_, smoothing_));
+    for (std::size_t k = 0; k < first.move.axis_count; ++k)
+        measured[k] = limits_->axis[first.move.axis[k]].rotary != linear;
+    spline_.begin(point_at(first.move, first.move.length - share), first.move.axis_count, measured,
+                  run_tolerance(first.move, *limits_, smoothing_));
     spline_.add_vertex(point_at(first.move, first.move.length));
     put_part(first, first.move.length - share, false, false);
     run_number_ = first.number;
@@ -90,7 +101,8 @@ void PathMaker::begin_run() {
 
 void PathMaker::end_run() {
     Kept& last = chain_.back();
-    const double share = outer_share(last.move, chain_.size() > 1 ? chain_[chain_.size() - 2].move : last.move);
+    const double share =
+        outer_share(last.move, chain_.size() > 1 ? chain_[chain_.size() - 2].move : last.move);
     spline_.end(point_at(last.move, share));
     put_run();
     last.from = share;
@@ -116,7 +128,8 @@ void PathMaker::put_run() {
             r.start[k] = piece.curve.position[k][0];
             r.end[k] = at(piece.curve.position[k], 1);
         }
-        for (std::size_t c = 0; c < 6; ++c) r.shape[curve_shape::kParameter + c] = piece.curve.parameter[c];
+        for (std::size_t c = 0; c < 6; ++c)
+            r.shape[curve_shape::kParameter + c] = piece.curve.parameter[c];
         Ceilings ceilings = ceilings_of(r, *limits_);
         apply_turn_rules(r, piece.turn, *limits_, ceilings);
         store(ceilings, r);

@@ -1,8 +1,10 @@
-// A line that passes near the pole of a polar plane, counted along its way and along the turn of the rotary axis at once.
+// A line that passes near the pole of a polar plane, counted along its way and along the turn of
+// the rotary axis at once.
 //
-// With x the way from the foot of the perpendicular (length b) from the pole, the rotary axis stands at C = atan(x / b). Counted
-// along x alone, C' and its derivatives grow beyond all bounds at the foot, and ceilings that bound each term by itself let the
-// path creep there, for on the way in and out v and C'' would work against each other. So the record's s is
+// With x the way from the foot of the perpendicular (length b) from the pole, the rotary axis
+// stands at C = atan(x / b). Counted along x alone, C' and its derivatives grow beyond all bounds
+// at the foot, and ceilings that bound each term by itself let the path creep there, for on the way
+// in and out v and C'' would work against each other. So the record's s is
 //
 //     s = x + lambda * (integral of w dC)        ds/dx = q = 1 + lambda w C' >= 1
 //
@@ -13,11 +15,16 @@
 //         ------------- x        w: 1 in the middle, and 0 with its first two derivatives where the window ends, so that the
 //                                records beside it meet without a step of speed or acceleration.
 //
-// lambda   linear axis' limits over the rotary one's (mm/rad): then both directions of that plane are alike.
-// Window   as far as C limits the programmed feed at all, so that elsewhere the feed is what it is; never beyond the line.
-// Right    Points of the line stay points of the line: only the parameter of x changes. x(s) is a quintic in each piece that has the
-//          true dx/ds and d2x/ds2 at both ends; the ceilings are taken from the quintic (ceilings_behind), not from this formula.
-//          dx/ds <= 1, and a piece's feed is raised by no more than its largest dx/ds allows: the programmed feed is never exceeded.
+// lambda   linear axis' limits over the rotary one's (mm/rad): then both directions of that plane
+//          are alike.
+// Window   as far as C limits the programmed feed at all, so that elsewhere the feed is what it is;
+//          never beyond the line.
+// Right    Points of the line stay points of the line: only the parameter of x changes. x(s) is a
+//          quintic in each piece that has the
+//          true dx/ds and d2x/ds2 at both ends; the ceilings are taken from the quintic
+//          (ceilings_behind), not from this formula.
+//          dx/ds <= 1, and a piece's feed is raised by no more than its largest dx/ds allows: the
+//          programmed feed is never exceeded.
 #pragma once
 #include "channels/path/path_limits.hpp"
 #include "ipc/kinematics/polar.hpp"
@@ -29,7 +36,8 @@ public:
     // Of this line (path coordinates of kinematics k). Not active: it stays what it is.
     static PoleParameter of(const PathRecord& line, const Kinematics& k, const PathLimits& drives);
     bool active() const { return active_; }
-    // Of a piece from `from` to `to` of the line: makes it a curve with that parameter, where it lies within the window.
+    // Of a piece from `from` to `to` of the line: makes it a curve with that parameter, where it
+    // lies within the window.
     void apply(double from, double to, PathRecord& piece) const;
 
 private:
@@ -43,7 +51,7 @@ private:
 
     bool active_ = false;
     double foot_ = 0, b_ = 0, lambda_ = 0;
-    double before_ = 0, behind_ = 0;   // how far the window reaches to both sides of the foot
+    double before_ = 0, behind_ = 0;  // how far the window reaches to both sides of the foot
 };
 
 }  // namespace polyturn::channels

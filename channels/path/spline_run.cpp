@@ -16,8 +16,11 @@ double run_tolerance(const PathRecord& line, const PathLimits& limits, const Smo
     return tolerance;
 }
 
-bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, const PathLimits& limits, const Smoothing& smoothing) {
-    if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
+bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins,
+                     const PathLimits& limits, const Smoothing& smoothing) {
+    if (static_cast<RecordKind>(a.kind) != RecordKind::Line ||
+        static_cast<RecordKind>(b.kind) != RecordKind::Line)
+        return false;
     if (a.axis_count != b.axis_count || a.axis_count > kMaxCurveAxes) return false;
     double step = 0;
     for (std::size_t i = 0; i < a.axis_count; ++i) {
@@ -25,21 +28,27 @@ bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, cons
         const double d = (b.end[i] - b.start[i]) / b.length - (a.end[i] - a.start[i]) / a.length;
         step += d * d;
     }
-    step = std::sqrt(step);   // rotary axes count as if degrees were millimetres: only ever too careful
+    // rotary axes count as if degrees were millimetres: only ever too careful
+    step = std::sqrt(step);
     constexpr double kStraightOn = 1e-9;
     if (begins && step < kStraightOn) return false;
     if (step > 2 * std::sin(std::min(limits.square_turn, std::numbers::pi) / 2)) return false;
     const double shorter = std::min(a.length, b.length);
     const double longer = std::max(a.length, b.length);
     if (smoothing.on) {
-        constexpr double kSharpest = 1.0;   // rad: beyond it no curve within a tolerance is worth having
+        // rad: beyond it no curve within a tolerance is worth having
+        constexpr double kSharpest = 1.0;
         const bool always = longer < smoothing.always_below;
         const double bend = shorter * step / 3;
-        if (longer > smoothing.longest || shorter < smoothing.shortest || bend < smoothing.least) return false;
-        if (step > (always ? kSharpest : std::min(kSharpest, 2 * std::sin(smoothing.turn / 2)))) return false;
-        return longer <= kMostGrowth * shorter && bend <= kCornerShare * run_tolerance(a, limits, smoothing);
+        if (longer > smoothing.longest || shorter < smoothing.shortest || bend < smoothing.least)
+            return false;
+        if (step > (always ? kSharpest : std::min(kSharpest, 2 * std::sin(smoothing.turn / 2))))
+            return false;
+        return longer <= kMostGrowth * shorter &&
+               bend <= kCornerShare * run_tolerance(a, limits, smoothing);
     }
-    return longer <= kMostGrowth * shorter && shorter <= kLongestShort && step <= kMostTurn && shorter * step / 3 <= kCornerShare * limits.tolerance;
+    return longer <= kMostGrowth * shorter && shorter <= kLongestShort && step <= kMostTurn &&
+           shorter * step / 3 <= kCornerShare * limits.tolerance;
 }
 
 double SplineRun::distance(const SplinePoint& a, const SplinePoint& b) const {
@@ -60,7 +69,8 @@ double SplineRun::turn_at(const SplinePoint& a, const SplinePoint& b, const Spli
     return std::sqrt(sum);
 }
 
-void SplineRun::begin(const SplinePoint& from, std::size_t axes, const std::array<bool, kMaxCurveAxes>& measured, double tolerance) {
+void SplineRun::begin(const SplinePoint& from, std::size_t axes,
+                      const std::array<bool, kMaxCurveAxes>& measured, double tolerance) {
     axes_ = axes;
     measured_ = measured;
     tolerance_ = tolerance;
@@ -76,10 +86,11 @@ void SplineRun::begin(const SplinePoint& from, std::size_t axes, const std::arra
 void SplineRun::add_vertex(const SplinePoint& vertex) {
     path_.push_back(vertex);
     const std::size_t newest = dropped_ + path_.size() - 1;
-    if (newest == 1) {   // the mirrored point, M, the first vertex
+    if (newest == 1) {  // the mirrored point, M, the first vertex
         SplinePoint mirror{};
         for (std::size_t k = 0; k < axes_; ++k) mirror[k] = 2 * path(0)[k] - vertex[k];
-        control_ = {{mirror, 0, mirror, true}, {path(0), 0, path(0), true}, {vertex, 1, vertex, true}};
+        control_ = {
+            {mirror, 0, mirror, true}, {path(0), 0, path(0), true}, {vertex, 1, vertex, true}};
         interval_ = {distance(path(0), vertex), distance(path(0), vertex)};
         return;
     }
@@ -96,18 +107,23 @@ bool SplineRun::chord_fits(std::size_t to) const {
     if (turn_at(p, a, b) > kMostTurn) return false;
     // (2), the next one not known: as if the curve went straight on behind `to`.
     const SplinePoint earlier = beside(control_.size() - 2);
-    const double sum = before + behind, share_before = behind * behind / (sum * (interval_[interval_.size() - 2] + sum)), share_behind = before * before / (sum * (sum + behind));
+    const double sum = before + behind,
+                 share_before = behind * behind / (sum * (interval_[interval_.size() - 2] + sum)),
+                 share_behind = before * before / (sum * (sum + behind));
     double left = 0;
     for (std::size_t k = 0; k < axes_; ++k) {
-        const double d = ((b[k] - a[k]) / behind - (a[k] - p[k]) / before) / sum * before * behind / 3;
-        const double rest = last.fixed ? d : share_before * earlier[k] - (share_before + share_behind) * d;
+        const double d =
+            ((b[k] - a[k]) / behind - (a[k] - p[k]) / before) / sum * before * behind / 3;
+        const double rest =
+            last.fixed ? d : share_before * earlier[k] - (share_before + share_behind) * d;
         left += rest * rest;
     }
     if (left > kTurnShare * tolerance_ * kTurnShare * tolerance_) return false;
     return skips_well(last.vertex, to);
 }
 
-// The vertices between lie near the chord. The curve bulges as they do, but next to an end it cannot: so the chord counts.
+// The vertices between lie near the chord. The curve bulges as they do, but next to an end it
+// cannot: so the chord counts.
 bool SplineRun::skips_well(std::size_t from, std::size_t to) const {
     const SplinePoint &a = path(from), &b = path(to);
     const double most = kSkipShare * tolerance_;
@@ -134,17 +150,22 @@ SplinePoint SplineRun::beside(std::size_t control) const {
     const double a = interval_[control - 1], b = interval_[control];
     for (std::size_t k = 0; k < axes_; ++k) {
         const double p = control_[control].point[k];
-        d[k] = ((control_[control + 1].point[k] - p) / b - (p - control_[control - 1].point[k]) / a) / (a + b) * a * b / 3;
+        d[k] =
+            ((control_[control + 1].point[k] - p) / b - (p - control_[control - 1].point[k]) / a) /
+            (a + b) * a * b / 3;
     }
     return d;
 }
 
 void SplineRun::place_used(std::size_t i) {
     Control& c = control_[i];
-    if (c.fixed) {   // on the outer line, at most at its vertex: tangent and curvature at M come from these points alone
+    // on the outer line, at most at its vertex: tangent and curvature at M come from these points
+    // alone
+    if (c.fixed) {
         const bool first = c.vertex == 1;
         const SplinePoint& end = control_[first ? i - 1 : i + 1].point;
-        const double own = first ? interval_[i - 1] : interval_[i], next = first ? interval(static_cast<std::ptrdiff_t>(i)) : interval_[i - 1];
+        const double own = first ? interval_[i - 1] : interval_[i],
+                     next = first ? interval(static_cast<std::ptrdiff_t>(i)) : interval_[i - 1];
         const double part = std::min(1.0, (2 * own + next) / (3 * own));
         for (std::size_t k = 0; k < axes_; ++k) c.used[k] = end[k] + part * (c.point[k] - end[k]);
         Control& mirror = control_[first ? i - 2 : i + 2];
@@ -154,7 +175,8 @@ void SplineRun::place_used(std::size_t i) {
     const double a = interval_[i - 1], b = interval_[i];
     const SplinePoint d = beside(i);
     for (std::size_t k = 0; k < axes_; ++k) {
-        const double before = (c.point[k] - control_[i - 1].point[k]) / a, behind = (control_[i + 1].point[k] - c.point[k]) / b;
+        const double before = (c.point[k] - control_[i - 1].point[k]) / a,
+                     behind = (control_[i + 1].point[k] - c.point[k]) / b;
         c.used[k] = c.point[k] + (a * behind + b * before) / (a + b) * (b - a) / 3 - d[k];
     }
 }
@@ -167,12 +189,15 @@ void SplineRun::add_control(std::size_t vertex) {
 
 void SplineRun::end(const SplinePoint& to) {
     const std::size_t last = dropped_ + path_.size() - 1;
-    // Towards the end the intervals shrink as they grew at the beginning, as far as there are vertices for it.
+    // Towards the end the intervals shrink as they grew at the beginning, as far as there are
+    // vertices for it.
     std::vector<std::size_t> knots{last};
     double most = kMostGrowth * distance(path(last), to);
-    while (knots.back() > control_.back().vertex + 1 && distance(control_.back().point, path(knots.back())) > most) {
+    while (knots.back() > control_.back().vertex + 1 &&
+           distance(control_.back().point, path(knots.back())) > most) {
         std::size_t v = knots.back() - 1;
-        while (v > control_.back().vertex + 1 && distance(path(v - 1), path(knots.back())) <= most) --v;
+        while (v > control_.back().vertex + 1 && distance(path(v - 1), path(knots.back())) <= most)
+            --v;
         most = kMostGrowth * distance(path(v), path(knots.back()));
         knots.push_back(v);
     }
@@ -190,7 +215,8 @@ void SplineRun::end(const SplinePoint& to) {
     make_spans(true);
 }
 
-// Beyond the mirrored points the intervals are mirrored too, so that the curve passes M and M' (see end of make_span).
+// Beyond the mirrored points the intervals are mirrored too, so that the curve passes M and M' (see
+// end of make_span).
 double SplineRun::interval(std::ptrdiff_t i) const {
     const auto count = static_cast<std::ptrdiff_t>(interval_.size());
     if (i < 0) i = std::min<std::ptrdiff_t>(2, count - 1);
@@ -200,8 +226,12 @@ double SplineRun::interval(std::ptrdiff_t i) const {
 
 void SplineRun::make_spans(bool all) {
     const std::size_t known = control_.size();
-    for (; next_used_ + 2 < known; ++next_used_) place_used(next_used_);   // when all are known: up to the last vertex
-    while (next_span_ + (all ? 2 : 4) < known) make_span(next_span_, all && next_span_ + 3 == known), ++next_span_;
+    // when all are known: up to the last vertex
+    for (; next_used_ + 2 < known; ++next_used_) place_used(next_used_);
+    while (next_span_ + (all ? 2 : 4) < known) {
+        make_span(next_span_, all && next_span_ + 3 == known);
+        ++next_span_;
+    }
     // Two controls before the next span are still needed, and no vertex before its own.
     if (next_span_ > 64) {
         const std::size_t drop = next_span_ - 3;
@@ -217,12 +247,16 @@ void SplineRun::make_spans(bool all) {
 
 void SplineRun::make_span(std::size_t i, bool last_span) {
     const auto at_i = static_cast<std::ptrdiff_t>(i);
-    const double z = interval(at_i - 2), a = interval(at_i - 1), b = interval(at_i), c = interval(at_i + 1), e = interval(at_i + 2);
-    const SplinePoint &p0 = control_[i - 1].used, &p1 = control_[i].used, &p2 = control_[i + 1].used, &p3 = control_[i + 2].used;
+    const double z = interval(at_i - 2), a = interval(at_i - 1), b = interval(at_i),
+                 c = interval(at_i + 1), e = interval(at_i + 2);
+    const SplinePoint &p0 = control_[i - 1].used, &p1 = control_[i].used,
+                      &p2 = control_[i + 1].used, &p3 = control_[i + 2].used;
     Cubic cubic{};
     for (std::size_t k = 0; k < axes_; ++k) {
-        const double b1 = ((b + c) * p1[k] + a * p2[k]) / (a + b + c), b2 = (c * p1[k] + (a + b) * p2[k]) / (a + b + c);
-        const double before = (b * p0[k] + (z + a) * p1[k]) / (z + a + b), behind = ((c + e) * p2[k] + b * p3[k]) / (b + c + e);
+        const double b1 = ((b + c) * p1[k] + a * p2[k]) / (a + b + c),
+                     b2 = (c * p1[k] + (a + b) * p2[k]) / (a + b + c);
+        const double before = (b * p0[k] + (z + a) * p1[k]) / (z + a + b),
+                     behind = ((c + e) * p2[k] + b * p3[k]) / (b + c + e);
         const double b0 = (b * before + a * b1) / (a + b), b3 = (c * b2 + b * behind) / (b + c);
         cubic[k] = {b0, 3 * (b1 - b0), 3 * (b0 - 2 * b1 + b2), b3 - 3 * b2 + 3 * b1 - b0, 0, 0};
     }
@@ -238,15 +272,18 @@ void SplineRun::make_span(std::size_t i, bool last_span) {
         piece.line = v;
         piece.last_of_line = !(last_span && v + 1 == to);
         piece.turn = v > dropped_ ? turn_at(path(v - 1), path(v), path(v + 1)) : 0;
-        if (v + 2 < dropped_ + path_.size()) piece.turn = std::max(piece.turn, turn_at(path(v), path(v + 1), path(v + 2)));
+        if (v + 2 < dropped_ + path_.size())
+            piece.turn = std::max(piece.turn, turn_at(path(v), path(v + 1), path(v + 2)));
         add_piece(cubic, u, next, piece, 0);
         u = next;
     }
 }
 
 void SplineRun::add_piece(const Cubic& cubic, double from, double to, Piece piece, int depth) {
-    for (std::size_t k = 0; k < axes_; ++k) piece.curve.position[k] = part_of(cubic[k], from, to - from);
-    // The last cut is taken as it is: the axes' ceilings come from the true derivatives, only the feed is off a little.
+    for (std::size_t k = 0; k < axes_; ++k)
+        piece.curve.position[k] = part_of(cubic[k], from, to - from);
+    // The last cut is taken as it is: the axes' ceilings come from the true derivatives, only the
+    // feed is off a little.
     if (fit_parameter(axes_, measured_, piece.curve) || depth == 5) {
         ready_.push_back(piece);
         return;

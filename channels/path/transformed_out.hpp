@@ -1,17 +1,20 @@
-// Behind the path maker while a transformation is on: records in path coordinates get what the kernel needs to find the axes, and
-// ceilings that the axes behind the transformation keep.
+// Behind the path maker while a transformation is on: records in path coordinates get what the
+// kernel needs to find the axes, and ceilings that the axes behind the transformation keep.
 //
-// Near the pole of a polar plane the axes' derivatives grow without bound (a line that passes it at the distance b: C' = 1/b,
-// C'' ~ 1/b^2, C''' ~ 2/b^3), so a record is cut into pieces that are short against the distance from the pole:
+// Near the pole of a polar plane the axes' derivatives grow without bound (a line that passes it at
+// the distance b: C' = 1/b, C'' ~ 1/b^2, C''' ~ 2/b^3), so a record is cut into pieces that are
+// short against the distance from the pole:
 //
 //      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40 pieces from 100 mm down to
 //       o  -'                                          1 um and as many away again
 //
-// Within a piece the derivatives change by some tens of per cent, so its ceilings, from samples, cost little; and each piece has
-// its own: speed falls towards the pole as the axes demand it, and nothing stands (docs/design/transformations.md).
-// A line through the pole itself needs the linear axis only (SideOfPole::Through) and stays one record.
+// Within a piece the derivatives change by some tens of per cent, so its ceilings, from samples,
+// cost little; and each piece has its own: speed falls towards the pole as the axes demand it, and
+// nothing stands (docs/design/transformations.md). A line through the pole itself needs the linear
+// axis only (SideOfPole::Through) and stays one record.
 //
-// Right   The ceilings hold for every axis as those of ceilings.hpp do, with the derivatives of the drives in place of the slots'.
+// Right   The ceilings hold for every axis as those of ceilings.hpp do, with the derivatives of the
+//         drives in place of the slots'.
 //         What the path maker asked for (corner rules, N0310) stays: the lower of the two counts.
 #pragma once
 #include "channels/path/path_maker.hpp"
@@ -24,8 +27,9 @@ class TransformedOut : public RecordOut {
 public:
     TransformedOut(RecordOut& next, const PathLimits& drives) : next_(&next), drives_(&drives) {}
 
-    // From now on: the transformation by drives (axis: machine axes, route), where its rotary axis stands before the route, and
-    // on which side the linear one. limits() are for the path maker then.
+    // From now on: the transformation by drives (axis: machine axes, route), where its rotary axis
+    // stands before the route, and on which side the linear one. limits() are for the path maker
+    // then.
     void begin(const Kinematics& kinematics, double turn, SideOfPole side);
     const PathLimits& limits();
 
@@ -40,7 +44,8 @@ private:
 
     RecordOut* next_;
     const PathLimits* drives_;
-    PathLimits path_;                // the drives', with path coordinates in place of the roles' axes
+    // the drives', with path coordinates in place of the roles' axes
+    PathLimits path_;
     Kinematics kinematics_{};
     double turn_ = 0;
     SideOfPole side_ = SideOfPole::Positive;

@@ -9,42 +9,60 @@
 namespace polyturn::channels {
 namespace {
 
-constexpr auto kPatience = std::chrono::milliseconds(10'000);  // for the processes that start before this one
+// for the processes that start before this one
+constexpr auto kTimeout = std::chrono::milliseconds(10'000);
 constexpr std::int64_t kSleepUs = 50'000;
 constexpr int kStepsBetweenLooks = 32;
-constexpr auto kVariablesEvery = std::chrono::milliseconds(100);   // for screens
+constexpr auto kVariablesEvery = std::chrono::milliseconds(100);  // for screens
 constexpr std::size_t kNames = 32, kNameSize = 256;
 
-std::string_view text_of(const ChannelEvent& event) { return {event.text.data(), ::strnlen(event.text.data(), event.text.size())}; }
+std::string_view text_of(const ChannelEvent& event) {
+    return {event.text.data(), ::strnlen(event.text.data(), event.text.size())};
+}
 
 }  // namespace
 
-Result<std::unique_ptr<ChannelProcess>> ChannelProcess::create(const std::string& instance, unsigned channel, ProcessServices services) {
-    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kPatience);
+Result<std::unique_ptr<ChannelProcess>> ChannelProcess::create(const std::string& instance,
+                                                               unsigned channel,
+                                                               ProcessServices services) {
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kTimeout);
     if (!supervisor) return supervisor.diagnosis();
-    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kTimeout);
     if (!store) return store.diagnosis();
-    auto kernel = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
+    auto kernel = PeerSegment<KernelSegment>::attach(instance, 0, kTimeout);
     if (!kernel) return kernel.diagnosis();
     auto own = OwnSegment<ChannelSegment>::create(instance, (*kernel)->header.generation, channel);
     if (!own) return own.diagnosis();
     return std::unique_ptr<ChannelProcess>(
-        new ChannelProcess(std::move(*supervisor), std::move(*store), std::move(*kernel), std::move(*own), channel, std::move(services)));
+        new ChannelProcess(std::move(*supervisor), std::move(*store), std::move(*kernel),
+                           std::move(*own), channel, std::move(services)));
 }
 
-ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSegment<StoreSegment> store, PeerSegment<KernelSegment> kernel,
-                               OwnSegment<ChannelSegment> own, unsigned channel, ProcessServices services)
-    : supervisor_(std::move(supervisor)), store_(std::move(store)), kernel_(std::move(kernel)), own_(std::move(own)), channel_(channel),
+ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor,
+                               PeerSegment<StoreSegment> store, PeerSegment<KernelSegment> kernel,
+                               OwnSegment<ChannelSegment> own, unsigned channel,
+                               ProcessServices services)
+    : supervisor_(std::move(supervisor)),
+      store_(std::move(store)),
+      kernel_(std::move(kernel)),
+      own_(std::move(own)),
+      channel_(channel),
       services_(std::move(services)),
       inbox_([&]() -> EventInbox {
           // A successor has seen nothing of what its predecessor was told, and must not.
-          own_->event_tail.tail.store(kernel_->events[channel - 1].head.load(std::memory_order_acquire), std::memory_order_relaxed);
+          own_->event_tail.tail.store(
+              kernel_->events[channel - 1].head.load(std::memory_order_acquire),
+              std::memory_order_relaxed);
           return {*kernel_, channel - 1, *own_};
       }()),
-      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel), pictures_(*own_), dialogue_(*own_) {
+      notes_(own_->notes, supervisor_->note_tail[channel - 1]),
+      port_(*kernel_, channel),
+      pictures_(*own_),
+      dialogue_(*own_) {
     seen_event_ = own_->event_tail.tail.load(std::memory_order_relaxed);
     own_->quiet.store(seen_event_, std::memory_order_relaxed);
-    own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire), std::memory_order_relaxed);
+    own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire),
+                           std::memory_order_relaxed);
     own_->epoch.store(1, std::memory_order_relaxed);
     own_.publish();
     auto table = std::make_unique<params::Table>();
@@ -83,7 +101,8 @@ bool ChannelProcess::turn(bool sleep) {
 
 void ChannelProcess::say_quiet() {
     if (own_->quiet.load(std::memory_order_relaxed) == seen_event_) return;
-    own_->quiet.store(seen_event_, std::memory_order_release);   // I1: everything pushed is visible with it
+    // I1: everything pushed is visible with it
+    own_->quiet.store(seen_event_, std::memory_order_release);
     own_->bell.ring();
 }
 
@@ -91,7 +110,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
     seen_event_ = event.seq;
     switch (static_cast<ChannelEventKind>(event.kind)) {
         case ChannelEventKind::CycleStart:
-            if (state_ != State::Idle) break;   // the kernel starts only what rests
+            if (state_ != State::Idle) break;  // the kernel starts only what rests
             parts_left_ = event.value > 1 ? event.value : 1;
             running_ = choice_;
             running_.mdi = std::string(text_of(event));
@@ -101,15 +120,37 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::BarrierReached:
             if (state_ == State::Standing && event.record >= sink_->drain_index()) go_on();
             break;
-        case ChannelEventKind::Reset: reset(event); break;
-        case ChannelEventKind::StoreChanged: store_changed_ = true; break;
-        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)), choice_.language = static_cast<Dialect>(event.value), publish_choice(); break;
-        case ChannelEventKind::Quit: quit_ = true; break;
-        case ChannelEventKind::Interrupt: event.record & kInterruptAhead ? interrupt_ahead(event) : interrupt(event); break;
-        case ChannelEventKind::Restart: restart(event); break;
-        case ChannelEventKind::AskResume: break;   // answered when it came
-        case ChannelEventKind::Resume: resume(event); break;
-        case ChannelEventKind::HeldMdi: held_mdi(event); break;
+        case ChannelEventKind::Reset:
+            reset(event);
+            break;
+        case ChannelEventKind::StoreChanged:
+            store_changed_ = true;
+            break;
+        case ChannelEventKind::SelectProgram:
+            choice_.path = std::string(text_of(event));
+            choice_.language = static_cast<Dialect>(event.value);
+            publish_choice();
+            break;
+        case ChannelEventKind::Quit:
+            quit_ = true;
+            break;
+        case ChannelEventKind::Interrupt:
+            if (event.record & kInterruptAhead)
+                interrupt_ahead(event);
+            else
+                interrupt(event);
+            break;
+        case ChannelEventKind::Restart:
+            restart(event);
+            break;
+        case ChannelEventKind::AskResume:
+            break;  // answered when it came
+        case ChannelEventKind::Resume:
+            resume(event);
+            break;
+        case ChannelEventKind::HeldMdi:
+            held_mdi(event);
+            break;
         case ChannelEventKind::DialogueValue:
             if (state_ != State::Standing) break;
             port_.answers().values.emplace_back(std::string(text_of(event)), event.value);
@@ -118,7 +159,8 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::DialogueKey:
             if (state_ == State::Standing) port_.answers().key = static_cast<int>(event.value);
             break;
-        case ChannelEventKind::None: break;
+        case ChannelEventKind::None:
+            break;
     }
 }
 
@@ -131,7 +173,8 @@ bool ChannelProcess::take_store() {
         own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
         inbox_.poll();
         if (inbox_.interrupts()) return false;
-        if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) bell.wait(rings, 5'000);
+        if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked)
+            bell.wait(rings, 5'000);
     }
     while (!store_->channels[channel_ - 1].read(*view_->store)) {}
     if (run_ && changes_.look(*view_->store)) operator_changed_ = true;
@@ -144,12 +187,15 @@ bool ChannelProcess::take_store() {
     return true;
 }
 
-// Variables of all channels lie in the first one's store. What is empty there keeps what the setup has given here.
+// Variables of all channels lie in the first one's store. What is empty there keeps what the setup
+// has given here.
 void ChannelProcess::take_shared() {
     if (!first_store_) first_store_ = std::make_unique<ChannelStore>();
     while (!store_->channels[0].read(*first_store_)) {}
     for (std::size_t k = 0; k < view_->shared->size(); ++k)
-        if (const double value = first_store_->variables[k < 400 ? 500 + k : k - 400]; !std::isnan(value)) (*view_->shared)[k] = value;
+        if (const double value = first_store_->variables[k < 400 ? 500 + k : k - 400];
+            !std::isnan(value))
+            (*view_->shared)[k] = value;
 }
 
 void ChannelProcess::begin_program() {
@@ -161,27 +207,34 @@ void ChannelProcess::begin_program() {
     if (sink_) last_note_ = sink_->next_note() - 1;
     sink_.reset();
     describer_.reset();
-    view_.reset(new MachineView(make_machine_view(*table, channel_)));   // made in place: its names point into itself
+    // made in place: its names point into itself
+    view_.reset(new MachineView(make_machine_view(*table, channel_)));
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
     port_.tools_from(params::bit(*table, params::n2900_tool_m_config, 0) ? &*store_ : nullptr);
-    port_.print_beside(running_.path, params::get_text(*table, params::pt_print_to, channel_));
+    port_.print_positioning(running_.path, params::get_text(*table, params::pt_print_to, channel_));
     port_.pretend({});
     port_.look();
     take_routes(*view_, port_.picture().route);
-    for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
     take_limits();
     maker_->discard();
     maker_->use_limits(limits_);
     ring_->resume();
-    if (supervisor_->options.notes && services_.make_describer) describer_ = services_.make_describer(*view_, note_text_);
-    sink_ = std::make_unique<RecordSink>(*view_, *maker_, *ring_, describer_.get(), &note_text_,
-                                         [this](std::uint64_t number, std::string_view text) { put_note(number, text); });
+    if (supervisor_->options.notes && services_.make_describer)
+        describer_ = services_.make_describer(*view_, note_text_);
+    sink_ = std::make_unique<RecordSink>(
+        *view_, *maker_, *ring_, describer_.get(), &note_text_,
+        [this](std::uint64_t number, std::string_view text) { put_note(number, text); });
     sink_->transforms(*transformed_, limits_);
     sink_->continue_notes(last_note_);
     sink_->more_parts(parts_left_ > 1);
     sink_->tell_writes(&changes_);
-    sink_->on_dialogue([this](const DialoguePage& page) { port_.answers() = {}, dialogue_.show(page); });
+    sink_->on_dialogue([this](const DialoguePage& page) {
+        port_.answers() = {};
+        dialogue_.show(page);
+    });
     if (!looked_at_) looked_at_ = std::make_unique<ChannelStore>();
     while (!store_->channels[channel_ - 1].read(*looked_at_)) {}
     changes_.begin(*looked_at_);
@@ -190,7 +243,10 @@ void ChannelProcess::begin_program() {
     restart_sink_ = std::make_unique<RestartSink>(*view_, *resume_sink_);
     if (restart_to_) {
         restart_sink_->search(*restart_to_, restart_set_);
-        if (port_.tools_kept()) restart_sink_->look_up_tool = [this](const Aux& code, const BlockContext& at) { sink_->look_up_tool(code, at); };
+        if (port_.tools_kept())
+            restart_sink_->look_up_tool = [this](const Aux& code, const BlockContext& at) {
+                sink_->look_up_tool(code, at);
+            };
         port_.pretend([this](unsigned axis) { return restart_sink_->position(axis); });
         restart_to_.reset();
     }
@@ -224,8 +280,10 @@ void ChannelProcess::go_on() {
         begin_program();
         return;
     }
-    const bool shares = params::get(view_->table(), params::f6036, channel_) > 0 || params::get(view_->table(), params::f6037, channel_) > 0 ||
-                        params::get(view_->table(), params::n1700_no_of_common_100) > 0 || params::get(view_->table(), params::n1701_no_of_common_500) > 0;
+    const bool shares = params::get(view_->table(), params::f6036, channel_) > 0 ||
+                        params::get(view_->table(), params::f6037, channel_) > 0 ||
+                        params::get(view_->table(), params::n1700_no_of_common_100) > 0 ||
+                        params::get(view_->table(), params::n1701_no_of_common_500) > 0;
     if ((store_changed_ || shares || common_offsets(*view_).count) && !take_store()) return;
     take_routes(*view_, port_.picture().route);
     if (couplings_of(port_.picture()) != couplings_) {
@@ -244,10 +302,14 @@ void ChannelProcess::read_program() {
     for (int n = 0; n < kStepsBetweenLooks; ++n) {
         const Step step = run_->step();
         if (run_->file_count() != names_published_) publish_names();
-        if (ring_->aborted()) return;   // the interrupt that caused it is in the inbox
+        if (ring_->aborted()) return;  // the interrupt that caused it is in the inbox
         if (restart_sink_->searching()) {
             restart_sink_->block_read(run_->at());
-            if (step == Step::Ended) return fail({Alarm::RestartNoBlock, {running_.path, 0, 0, 0}, {}, "N" + std::to_string(restart_sink_->wanted())});
+            if (step == Step::Ended)
+                return fail({Alarm::RestartNoBlock,
+                             {running_.path, 0, 0, 0},
+                             {},
+                             "N" + std::to_string(restart_sink_->wanted())});
         }
         if (!restart_sink_->searching()) {
             port_.pretend({});
@@ -255,13 +317,18 @@ void ChannelProcess::read_program() {
             show_variables(step != Step::Continue);
         }
         switch (step) {
-            case Step::Continue: break;
+            case Step::Continue:
+                break;
             case Step::AtBarrier:
                 sink_->reach_barrier();
                 state_ = State::Standing;
                 return;
-            case Step::Ended: end_program(StopReason::End); return;
-            case Step::Failed: end_program(StopReason::Alarm); return;
+            case Step::Ended:
+                end_program(StopReason::End);
+                return;
+            case Step::Failed:
+                end_program(StopReason::Alarm);
+                return;
         }
     }
 }
@@ -275,7 +342,8 @@ void ChannelProcess::end_program(StopReason reason) {
         return;
     }
     sink_->finish(reason);
-    if (!held_run_ && ring_->pushed() > 0 && run_->loses_offset(false)) pictures_.offset_lost(own_->path.slot(ring_->last_index()).serial);
+    if (!held_run_ && ring_->pushed() > 0 && run_->loses_offset(false))
+        pictures_.offset_lost(own_->path.slot(ring_->last_index()).serial);
     state_ = State::Idle;
 }
 
@@ -285,10 +353,14 @@ void ChannelProcess::fail(const Diagnosis& diagnosis) {
     state_ = State::Idle;
 }
 
-// What is only read ahead has not happened (architecture 5.4): what the program leaves to the next one is what it had before `serial`, the
-// first block of which nothing had begun. Blocks that wait for another one under compensation stay as they were read.
+// What is only read ahead has not happened (architecture 5.4): what the program leaves to the next
+// one is what it had before `serial`, the first block of which nothing had begun. Blocks that wait
+// for another one under compensation stay as they were read.
 void ChannelProcess::forget_read_ahead(std::uint64_t serial) {
-    if (serial && run_->may_resume_at(serial)) sink_->forget(), (void)run_->resume_at(serial);
+    if (serial && run_->may_resume_at(serial)) {
+        sink_->forget();
+        (void)run_->resume_at(serial);
+    }
 }
 
 void ChannelProcess::reset(const ChannelEvent& event) {
@@ -298,7 +370,8 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     if (run_) forget_read_ahead(static_cast<std::uint64_t>(event.value));
     if (run_) carried_ = run_->carry();
     if (const std::uint64_t pushed = ring_->pushed(); run_ && pushed > 0)
-        pictures_.reset(own_->path.slot(std::min(event.record, pushed - 1)).serial, static_cast<std::uint64_t>(event.value), run_->loses_offset(true));
+        pictures_.reset(own_->path.slot(std::min(event.record, pushed - 1)).serial,
+                        static_cast<std::uint64_t>(event.value), run_->loses_offset(true));
     run_.reset();
     after_reset_ = true;
     state_ = State::Idle;
@@ -319,21 +392,24 @@ void ChannelProcess::interrupt(const ChannelEvent& event) {
     if (std::exchange(ahead_, false)) {
         run_->interrupt_arrived();
         sink_->push_kept();
-    } else if (!run_->interrupt(static_cast<std::uint64_t>(event.value), (event.record & 1) != 0, static_cast<unsigned>(event.record >> 1))) {
+    } else if (!run_->interrupt(static_cast<std::uint64_t>(event.value), (event.record & 1) != 0,
+                                static_cast<unsigned>(event.record >> 1))) {
         fail({Alarm::InterruptPlace, {}, {}, {}});
         return;
     }
     state_ = State::Reading;
 }
 
-// The path is still on its way to where the interrupt program begins: what of it acts at once is done now.
+// The path is still on its way to where the interrupt program begins: what of it acts at once is
+// done now.
 void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
     if (run_ && !held_run_ && !next_part_ && !restart_sink_->searching()) {
         port_.look();
         sink_->at_once(true);
         ahead_ = run_->interrupt_ahead(static_cast<std::uint64_t>(event.value));
         sink_->at_once(false);
-        if (ahead_) state_ = State::Standing;   // no barrier is on its way: the path stops before the next block
+        // no barrier is on its way: the path stops before the next block
+        if (ahead_) state_ = State::Standing;
     }
     own_->answered.store(event.seq, std::memory_order_release);
     own_->bell.ring();
@@ -341,8 +417,11 @@ void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
 
 // States from before the record that the path is at are needed no more.
 void ChannelProcess::forget_executed() {
-    const std::uint64_t tail = kernel_->path_tail[channel_ - 1].tail.load(std::memory_order_acquire);
-    if (tail < ring_->pushed() && own_->path.slot(tail).epoch == own_->epoch.load(std::memory_order_relaxed)) run_->executed(own_->path.slot(tail).serial);
+    const std::uint64_t tail =
+        kernel_->path_tail[channel_ - 1].tail.load(std::memory_order_acquire);
+    if (tail < ring_->pushed() &&
+        own_->path.slot(tail).epoch == own_->epoch.load(std::memory_order_relaxed))
+        run_->executed(own_->path.slot(tail).serial);
 }
 
 void ChannelProcess::publish_names() {
@@ -364,7 +443,8 @@ void ChannelProcess::publish_choice() {
     names.count = 1;
     names.running = 0;
     names.name.fill(0);
-    std::memcpy(names.name.data(), choice_.path.data(), std::min(choice_.path.size(), kNameSize - 1));
+    std::memcpy(names.name.data(), choice_.path.data(),
+                std::min(choice_.path.size(), kNameSize - 1));
     own_->programs.publish();
     pictures_.begin();
 }

@@ -5,14 +5,16 @@
 //     ^                       |                     |
 //     '-- Reset, end, alarm --'---------------------'
 //
-// While its path is held, a program can be taken back to the block in which it is held, to go on with other offsets; a block
-// can be executed by hand meanwhile (held_program.cpp).
+// While its path is held, a program can be taken back to the block in which it is held, to go on
+// with other offsets; a block can be executed by hand meanwhile (held_program.cpp).
 //
 // Invariants
-//   I1  `quiet` becomes n only when event n and all before it have been acted on, everything that follows from them is in the
+//   I1  `quiet` becomes n only when event n and all before it have been acted on, everything that
+//   follows from them is in the
 //       ring, and nothing more comes without another event: Idle or Standing.
-//   I2  What a program reads of the outside belongs to its cycle start or to the barrier at which it stands (architecture 5.5).
-//   I3  The heartbeat grows at least every 50 ms while the process lives, whatever it waits for.
+//   I2  What a program reads of the outside belongs to its cycle start or to the barrier at which
+//   it stands (architecture 5.5). I3  The heartbeat grows at least every 50 ms while the process
+//   lives, whatever it waits for.
 #pragma once
 #include <any>
 #include <chrono>
@@ -21,24 +23,25 @@
 #include <optional>
 #include <string>
 
+#include "channels/hold/operator_changes.hpp"
+#include "channels/hold/restart_sink.hpp"
+#include "channels/hold/resume_sink.hpp"
 #include "channels/language.hpp"
 #include "channels/process/coupled_limits.hpp"
-#include "channels/process/dialogue_out.hpp"
-#include "channels/process/operator_changes.hpp"
-#include "channels/process/picture_out.hpp"
-#include "channels/process/record_sink.hpp"
-#include "channels/process/restart_sink.hpp"
-#include "channels/process/resume_sink.hpp"
 #include "channels/process/run_port.hpp"
+#include "channels/records/dialogue_out.hpp"
+#include "channels/records/picture_out.hpp"
+#include "channels/records/record_sink.hpp"
 #include "ipc/memory/segment.hpp"
 
 namespace polyturn::channels {
 
 struct ProgramChoice {
-    std::string path;   // selected file
-    std::string mdi;    // a text instead of a file
-    std::string beside = {};   // of mdi: the selected file; what stands beside it can be called
-    Dialect language = Dialect::Polyturn;   // of the file, as a job says it; Polyturn: the machine says it
+    std::string path;         // selected file
+    std::string mdi;          // a text instead of a file
+    std::string beside = {};  // of mdi: the selected file; what stands beside it can be called
+    // of the file, as a job says it; Polyturn: the machine says it
+    Dialect language = Dialect::Polyturn;
 };
 
 // Interprets one program, seen from here. Made anew for each cycle start.
@@ -48,7 +51,10 @@ public:
     virtual Result<void> start() = 0;
     virtual Step step() = 0;
     virtual void barrier_done() = 0;
-    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }   // see Language
+    // see Language
+    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) {
+        return false;
+    }
     virtual bool interrupt_ahead(std::uint64_t /*serial*/) { return false; }
     virtual void interrupt_arrived() {}
     virtual void executed(std::uint64_t /*serial*/) {}
@@ -57,13 +63,16 @@ public:
     virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
     virtual bool offsets_changed() { return true; }
     virtual bool starts_away() const { return false; }
-    virtual bool loses_offset(bool /*by_reset*/) const { return false; }   // see Language
+    virtual bool loses_offset(bool /*by_reset*/) const { return false; }  // see Language
     virtual void start_away(const AxisValues& /*by*/) {}
-    virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
-    virtual const Core* core() const { return nullptr; }           // what holds behind that block
+    // the block that was interpreted last
+    virtual BlockContext at() const { return {}; }
+    virtual const Core* core() const { return nullptr; }  // what holds behind that block
     virtual void active_codes(std::string& /*out*/) const {}
-    virtual void list_variables(const std::function<void(std::string_view, double)>& /*show*/) const {}
-    virtual void shown() {}                                        // it is the one whose blocks are described from now on
+    virtual void list_variables(
+        const std::function<void(std::string_view, double)>& /*show*/) const {}
+    // it is the one whose blocks are described from now on
+    virtual void shown() {}
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
     virtual std::size_t file_count() const = 0;
@@ -71,27 +80,32 @@ public:
 };
 
 struct ProcessServices {
-    std::function<std::unique_ptr<ProgramRun>(MachineView&, Sink&, Port&, const ProgramChoice&)> make_run;
+    std::function<std::unique_ptr<ProgramRun>(MachineView&, Sink&, Port&, const ProgramChoice&)>
+        make_run;
     // A sink that appends event objects to `text`, for the notes; may be empty.
     std::function<std::unique_ptr<Sink>(const MachineView&, std::string& text)> make_describer;
     const text::Setup* setup = nullptr;
-    std::string kept_folder;   // of texts that survive power-off; empty: none do
+    std::string kept_folder;  // of texts that survive power-off; empty: none do
 };
 
 class ChannelProcess {
 public:
     // Attaches to supervisor, store and kernel, makes the channel's own segment.
-    static Result<std::unique_ptr<ChannelProcess>> create(const std::string& instance, unsigned channel, ProcessServices services);
+    static Result<std::unique_ptr<ChannelProcess>> create(const std::string& instance,
+                                                          unsigned channel,
+                                                          ProcessServices services);
     // Until Quit.
     void run();
-    // One event, or a piece of interpretation; false after Quit. For tests that play the kernel in the same thread.
+    // One event, or a piece of interpretation; false after Quit. For tests that play the kernel in
+    // the same thread.
     bool turn(bool sleep);
 
 private:
     enum class State : std::uint8_t { Idle, Reading, Standing };
 
-    ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSegment<StoreSegment> store, PeerSegment<KernelSegment> kernel,
-                   OwnSegment<ChannelSegment> own, unsigned channel, ProcessServices services);
+    ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSegment<StoreSegment> store,
+                   PeerSegment<KernelSegment> kernel, OwnSegment<ChannelSegment> own,
+                   unsigned channel, ProcessServices services);
     void act(const ChannelEvent& event);
     void begin_program();
     void take_limits();
@@ -132,15 +146,15 @@ private:
     NoteWriter notes_;
     RunPort port_;
     PathLimits limits_;
-    Couplings couplings_;          // those that limits_ were made for
+    Couplings couplings_;  // those that limits_ were made for
     std::unique_ptr<TransformedOut> transformed_;
     std::unique_ptr<PathMaker> maker_;
     std::unique_ptr<MachineView> view_;
     std::string note_text_;
     std::unique_ptr<Sink> describer_;
     std::unique_ptr<RecordSink> sink_;
-    std::unique_ptr<ResumeSink> resume_sink_;     // in front of sink_
-    std::unique_ptr<RestartSink> restart_sink_;   // in front of both: what the program speaks to
+    std::unique_ptr<ResumeSink> resume_sink_;    // in front of sink_
+    std::unique_ptr<RestartSink> restart_sink_;  // in front of both: what the program speaks to
     OperatorChanges changes_;
     PictureOut pictures_;
     DialogueOut dialogue_;
@@ -148,21 +162,25 @@ private:
     void show_variables(bool now);
     std::chrono::steady_clock::time_point variables_due_{};
     std::unique_ptr<ChannelStore> looked_at_;
-    bool operator_changed_ = false;               // offsets or zeros; they act as soon as they can
-    std::optional<std::int64_t> restart_to_;      // block; the next program is only interpreted until there
+    bool operator_changed_ = false;  // offsets or zeros; they act as soon as they can
+    // block; the next program is only interpreted until there
+    std::optional<std::int64_t> restart_to_;
     std::uint32_t restart_set_ = 0;
-    std::unique_ptr<ProgramRun> run_, held_run_;  // held_run_: the program, while a block that was entered in its hold runs
-    AxisValues left_at_{};                        // where the axes were when the program was left for that
+    // held_run_: the program, while a block that was entered in its hold runs
+    std::unique_ptr<ProgramRun> run_, held_run_;
+    // where the axes were when the program was left for that
+    AxisValues left_at_{};
     ProgramChoice choice_, running_;
     State state_ = State::Idle;
     std::uint64_t seen_event_ = 0;
     std::uint64_t last_note_ = 0;
     double parts_left_ = 1;
-    bool ahead_ = false;           // in an interrupt program, while the path is still on its way there
-    bool next_part_ = false;       // standing between two parts
+    // in an interrupt program, while the path is still on its way there
+    bool ahead_ = false;
+    bool next_part_ = false;  // standing between two parts
     bool store_changed_ = false;
     std::unique_ptr<ChannelStore> first_store_;
-    std::any carried_;             // of the program before
+    std::any carried_;  // of the program before
     bool after_reset_ = false;
     bool quit_ = false;
     std::size_t names_published_ = 0;

@@ -23,7 +23,9 @@ void lower(PathAxis& master, const PathAxis& slave) {
 }
 
 void halve(PathAxis& axis) {
-    for (double* value : {&axis.rapid, &axis.feed, &axis.accel, &axis.normal, &axis.jerk, &axis.speed_step, &axis.accel_step, &axis.accel_step_arc}) *value *= 0.5;
+    for (double* value : {&axis.rapid, &axis.feed, &axis.accel, &axis.normal, &axis.jerk,
+                          &axis.speed_step, &axis.accel_step, &axis.accel_step_arc})
+        *value *= 0.5;
 }
 
 }  // namespace
@@ -38,8 +40,8 @@ Couplings couplings_of(const MachineStatus& status) {
 }
 
 void lower_for_couplings(PathLimits& limits, const Couplings& couplings) {
-    // First what may reach each drive in all: a superimposed slave leaves its master half of that. The last slave's limit reaches the first
-    // master after as many passes as the chain has links.
+    // First what may reach each drive in all: a superimposed slave leaves its master half of that.
+    // The last slave's limit reaches the first master after as many passes as the chain has links.
     bool changed = true;
     for (std::size_t pass = 0; changed && pass < kMaxAxes; ++pass) {
         changed = false;
@@ -52,7 +54,8 @@ void lower_for_couplings(PathLimits& limits, const Couplings& couplings) {
                 if (adds) halve(slave);
                 const double before = master.rapid + master.feed + master.accel + master.normal;
                 lower(master, slave);
-                changed = changed || master.rapid + master.feed + master.accel + master.normal != before;
+                changed =
+                    changed || master.rapid + master.feed + master.accel + master.normal != before;
             }
     }
     // Then what its own program may take of it.

@@ -1,5 +1,5 @@
-// What the kernel has told this channel and the process has not acted on yet. Taken out of the ring as soon as it is looked
-// at, so that a reset is found behind other events.
+// What the kernel has told this channel and the process has not acted on yet. Taken out of the ring
+// as soon as it is looked at, so that a reset is found behind other events.
 #pragma once
 #include <deque>
 #include <functional>
@@ -11,17 +11,21 @@ namespace polyturn::channels {
 
 class EventInbox {
 public:
-    EventInbox(const KernelSegment& kernel, unsigned index, ChannelSegment& own) : ring_(kernel.events[index], own.event_tail) {}
+    EventInbox(const KernelSegment& kernel, unsigned index, ChannelSegment& own)
+        : ring_(kernel.events[index], own.event_tail) {}
 
     void poll() {
         while (const ChannelEvent* event = ring_.front()) {
             if (cuts(*event)) ++interrupts_;
             events_.push_back(*event);
-            if (static_cast<ChannelEventKind>(event->kind) == ChannelEventKind::AskResume && on_question) on_question(*event);
+            if (static_cast<ChannelEventKind>(event->kind) == ChannelEventKind::AskResume &&
+                on_question)
+                on_question(*event);
             ring_.pop();
         }
     }
-    // A question is answered as soon as it is seen, also while interpretation waits for room in the ring.
+    // A question is answered as soon as it is seen, also while interpretation waits for room in the
+    // ring.
     std::function<void(const ChannelEvent&)> on_question;
     // Interpretation must not go on: a reset or the end is among what has come.
     bool interrupts() const { return interrupts_ > 0; }
@@ -36,9 +40,11 @@ public:
 private:
     static bool cuts(const ChannelEvent& event) {
         const auto kind = static_cast<ChannelEventKind>(event.kind);
-        if (kind == ChannelEventKind::Interrupt && (event.record & kInterruptAhead)) return false;   // the running block may still be read
-        return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit || kind == ChannelEventKind::Interrupt ||
-               kind == ChannelEventKind::Resume || kind == ChannelEventKind::HeldMdi;
+        // the running block may still be read
+        if (kind == ChannelEventKind::Interrupt && (event.record & kInterruptAhead)) return false;
+        return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit ||
+               kind == ChannelEventKind::Interrupt || kind == ChannelEventKind::Resume ||
+               kind == ChannelEventKind::HeldMdi;
     }
     RingConsumer<RingHead<ChannelEvent, 64>> ring_;
     std::deque<ChannelEvent> events_;

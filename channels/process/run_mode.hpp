@@ -9,10 +9,10 @@ namespace polyturn::channels {
 struct RunModeOptions {
     std::string instance;
     unsigned channel = 1;
-    std::string language;   // empty: PT_LANGUAGE of the channel
-    std::string setup;      // file; empty: none
-    std::string kept;       // folder of what survives power-off; empty: nothing does
-    bool variables = false; // also describe every variable that the program writes
+    std::string language;    // empty: PT_LANGUAGE of the channel
+    std::string setup;       // file; empty: none
+    std::string kept;        // folder of what survives power-off; empty: nothing does
+    bool variables = false;  // also describe every variable that the program writes
 };
 
 // Runs until the kernel says Quit.

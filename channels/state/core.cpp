@@ -1,20 +1,21 @@
 #include "channels/state/core.hpp"
 
-#include "channels/compensation/compensator.hpp"   // complete here, for the unique_ptr
-
 #include <cmath>
 
-#include "channels/state/factor_sink.hpp"   // likewise
-#include "channels/state/inclined_sink.hpp"
-#include "channels/state/route_sink.hpp"
+#include "channels/compensation/compensator.hpp"  // complete here, for the unique_ptr
+#include "channels/pipeline/factor_sink.hpp"      // likewise
+#include "channels/pipeline/inclined_sink.hpp"
+#include "channels/pipeline/route_sink.hpp"
+#include "channels/pipeline/transform_sink.hpp"
 #include "channels/state/tip_control.hpp"
-#include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
 
-Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), outermost_(&sink), port_(&port) {
+Core::Core(MachineView& view, Sink& sink, Port& port)
+    : view_(&view), sink_(&sink), out_(&sink), outermost_(&sink), port_(&port) {
     path.spindle.spindle = view.config().default_spindle;
-    geo_ = {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
+    geo_ = {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY),
+            view.axis_by_role(PlaneRole::BasicZ)};
 }
 
 bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double v1) {
@@ -29,30 +30,34 @@ bool Core::program_alarm(const std::string& text, double number) {
 }
 
 void Core::start_at_machine(const AxisValues& machine) {
-    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = view_->axes[i].from_drive(machine[i]);
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        path.machine[i] = view_->axes[i].from_drive(machine[i]);
     rebase_all();
 }
 
 void Core::displaced(const AxisValues& by) {
-    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] += view_->axes[i].from_drive(by[i]) - view_->axes[i].from_drive(0.0);
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        path.machine[i] += view_->axes[i].from_drive(by[i]) - view_->axes[i].from_drive(0.0);
     rebase_all();
 }
 
 void Core::take_machine(unsigned place, double drive) {
     double machine = view_->axes[place].from_drive(drive);
     if (transforms_) transforms_->axes()[place] = machine;
-    if (transformed() && path.transformation.uses(place)) {   // all its roles follow
+    if (transformed() && path.transformation.uses(place)) {  // all its roles follow
         AxisValues axes = transforms_->axes();
         places_to_path(path.transformation, axes);
         for (std::size_t r = 0; r < role_count(kind_of(path.transformation.kinematics)); ++r) {
             const unsigned i = path.transformation.kinematics.axis[r];
             if (i == kNoPlace) continue;
-            path.machine[i] = compensating_ ? axes[i] - (machine_now(i) - path.machine[i]) : axes[i];
+            path.machine[i] =
+                compensating_ ? axes[i] - (machine_now(i) - path.machine[i]) : axes[i];
             rebase(i);
         }
         return;
     }
-    path.machine[place] = compensating_ ? machine - (machine_now(place) - path.machine[place]) : machine;
+    path.machine[place] =
+        compensating_ ? machine - (machine_now(place) - path.machine[place]) : machine;
     rebase(place);
 }
 
@@ -65,27 +70,42 @@ void Core::refresh_routes() {
     }
     if (any && !routes_) routes_ = std::make_unique<RouteSink>(*outermost_, *view_);
     Sink* out = any ? static_cast<Sink*>(routes_.get()) : outermost_;
-    if (transforms_) transforms_->next(*out), out = transforms_.get();
-    if (factors_) factors_->next(*out), out = factors_.get();
+    if (transforms_) {
+        transforms_->next(*out);
+        out = transforms_.get();
+    }
+    if (factors_) {
+        factors_->next(*out);
+        out = factors_.get();
+    }
     if (out == out_) return;
-    if (sink_ == out_) sink_ = out;   // compensation keeps what it has opened; switching codes stand outside of it
+    // compensation keeps what it has opened; switching codes stand outside of it
+    if (sink_ == out_) sink_ = out;
     out_ = out;
 }
 
 void Core::refresh_limits() {
     refresh_routes();
-    path.second_limits.guard = port_->second_limits() ? WorkZone::Guard::NoExit : WorkZone::Guard::Off;
+    path.second_limits.guard =
+        port_->second_limits() ? WorkZone::Guard::NoExit : WorkZone::Guard::Off;
     zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
         StrokeFlags flags = port_->stroke_flags(axis.machine_axis);
         flags.second_off = flags.second_off || path.stroke2_off;
         axis.referenced = port_->axis_referenced(axis.machine_axis);
-        zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, flags) : AxisZone{};
-        if (axis.by_plc && port_->diameter_inverted(axis.machine_axis) != axis.inverted) axis.inverted = !axis.inverted, axis.diameter = !axis.diameter;
+        zones_.axes[i] =
+            axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, flags) : AxisZone{};
+        if (axis.by_plc && port_->diameter_inverted(axis.machine_axis) != axis.inverted) {
+            axis.inverted = !axis.inverted;
+            axis.diameter = !axis.diameter;
+        }
         const StrokeInterval& allowed = zones_.axes[i].allowed;
         axis.limited = std::isfinite(allowed.low) && std::isfinite(allowed.high);
-        if (axis.limited) axis.limit_max = allowed.high, axis.limit_min = allowed.low;
+        if (axis.limited) {
+            axis.limit_max = allowed.high;
+            axis.limit_min = allowed.low;
+        }
     }
     take_due();
 }
@@ -105,7 +125,8 @@ void Core::rebase(unsigned i) {
 
 AxisValues Core::chain_offset() const {
     AxisValues out{};
-    for (unsigned i = 0; i < view_->axis_count; ++i) out[i] = path.zero[i] + path.shift[i] + path.vector[i];
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        out[i] = path.zero[i] + path.shift[i] + path.vector[i];
     return out;
 }
 
@@ -123,7 +144,8 @@ void Core::sum_zeros() {
         path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
         ChannelAxis& axis = view_->axes[i];
         if (!axis.mirrored) continue;
-        path.machine[i] += 2.0 * (path.zero[i] - before);   // the drive stays, its picture on the virtual side does not
+        // the drive stays, its picture on the virtual side does not
+        path.machine[i] += 2.0 * (path.zero[i] - before);
         axis.mirror_at = path.zero[i];
     }
     rebase_all();
@@ -133,9 +155,11 @@ void Core::load_zeros() {
     const auto& zeros = view_->store->zeros;
     const auto row = static_cast<std::size_t>(path.zero_row == kZeroNone ? 0 : path.zero_row);
     for (unsigned i = 0; i < view_->axis_count; ++i) {
-        const double external = zeros[kZeroExternalRow * kChannelAxes + i] + zeros[kZeroShiftRow * kChannelAxes + i];
+        const double external =
+            zeros[kZeroExternalRow * kChannelAxes + i] + zeros[kZeroShiftRow * kChannelAxes + i];
         path.external[i] = view_->from_table(i, external);
-        path.work[i] = path.zero_row == kZeroNone ? 0.0 : view_->from_table(i, zeros[row * kChannelAxes + i]);
+        path.work[i] =
+            path.zero_row == kZeroNone ? 0.0 : view_->from_table(i, zeros[row * kChannelAxes + i]);
     }
     sum_zeros();
 }
@@ -148,7 +172,8 @@ void Core::select_zero(std::int32_t row) {
 
 void Core::preset(unsigned i, double programmed) {
     if (reads_ahead()) drop_compensation_vector();
-    // The word is what the display shall show with the travelled offset in it: G50 X Z T (fanuc_lathe 1.4).
+    // The word is what the display shall show with the travelled offset in it: G50 X Z T
+    // (fanuc_lathe 1.4).
     if (path.framed) {
         AxisValues wanted = path.programmed;
         wanted[i] = programmed;
@@ -156,7 +181,8 @@ void Core::preset(unsigned i, double programmed) {
         for (unsigned k = 0; k < view_->axis_count; ++k) path.preset[k] += now[k] - point[k];
         path.preset[i] += path.vector[i];
     } else {
-        path.preset[i] += path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
+        path.preset[i] +=
+            path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
     }
     sum_zeros();
     refresh_surface_zero();
@@ -218,8 +244,9 @@ bool Core::travel_offset(bool at_rapid) {
 }
 
 AxisSet Core::plane_axes(int& p, int& q) const {
-    static constexpr PlaneRole kRoles[3][2] = {
-        {PlaneRole::BasicX, PlaneRole::BasicY}, {PlaneRole::BasicZ, PlaneRole::BasicX}, {PlaneRole::BasicY, PlaneRole::BasicZ}};
+    static constexpr PlaneRole kRoles[3][2] = {{PlaneRole::BasicX, PlaneRole::BasicY},
+                                               {PlaneRole::BasicZ, PlaneRole::BasicX},
+                                               {PlaneRole::BasicY, PlaneRole::BasicZ}};
     const auto& roles = kRoles[static_cast<std::size_t>(path.plane)];
     const auto of_role = [this](PlaneRole role) {
         const int virtual_y = path.transformation.virtual_y;
@@ -241,9 +268,17 @@ bool Core::dwell(double value, bool revolutions, std::string_view until) {
     return true;
 }
 
-void Core::aux(char letter, double value, std::string_view text, bool drained, bool silent, ToolCallBy by, std::string_view name) {
+void Core::aux(char letter, double value, std::string_view text, bool drained, bool silent,
+               ToolCallBy by, std::string_view name) {
     emitted_ = true;
-    sink_->aux({.letter = letter, .value = value, .text = text, .drained = drained, .silent = silent, .by = by, .name = name}, at);
+    sink_->aux({.letter = letter,
+                .value = value,
+                .text = text,
+                .drained = drained,
+                .silent = silent,
+                .by = by,
+                .name = name},
+               at);
 }
 
 }  // namespace polyturn::channels

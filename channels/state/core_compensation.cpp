@@ -1,13 +1,14 @@
-// Nose-radius compensation as the channel's state sees it: when it stands between Core and the sink, and which nose cuts.
+// Nose-radius compensation as the channel's state sees it: when it stands between Core and the
+// sink, and which nose cuts.
 #include <cmath>
 #include <limits>
 
 #include "channels/compensation/compensator.hpp"
+#include "channels/pipeline/factor_sink.hpp"
+#include "channels/pipeline/inclined_sink.hpp"
+#include "channels/pipeline/route_sink.hpp"
+#include "channels/pipeline/transform_sink.hpp"
 #include "channels/state/core.hpp"
-#include "channels/state/factor_sink.hpp"
-#include "channels/state/inclined_sink.hpp"
-#include "channels/state/route_sink.hpp"
-#include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -19,7 +20,9 @@ Vec tip_of(const compensation::Options& options, std::int32_t tip) {
     return {p, q};
 }
 
-bool tip_outside_its_plane(const PathState& path) { return path.plane != Plane::ZX && path.tool.tip >= 1 && path.tool.tip <= 8; }
+bool tip_outside_its_plane(const PathState& path) {
+    return path.plane != Plane::ZX && path.tool.tip >= 1 && path.tool.tip <= 8;
+}
 
 }  // namespace
 
@@ -28,14 +31,18 @@ Core::~Core() = default;
 void Core::compensation_options(const compensation::Options& options) { comp_options_ = options; }
 
 // What compensation is told waits behind a move that is held for its corner.
-template <class Told> void Core::tell_comp(Told&& told) {
-    if (staged_ && stage_->holding()) stage_->later([this, told] { tell_comp(told); });
-    else told(*comp_);
+template <class Told>
+void Core::tell_comp(Told&& told) {
+    if (staged_ && stage_->holding())
+        stage_->later([this, told] { tell_comp(told); });
+    else
+        told(*comp_);
 }
 
 void Core::update_compensation(const compensation::Options& options) {
     comp_options_ = options;
-    if (reads_ahead()) tell_comp([options](compensation::Compensator& comp) { comp.set_options(options); });
+    if (reads_ahead())
+        tell_comp([options](compensation::Compensator& comp) { comp.set_options(options); });
 }
 
 bool Core::compensation(CompSide side) {
@@ -45,10 +52,13 @@ bool Core::compensation(CompSide side) {
     if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing, 'G');
     if (tip_outside_its_plane(path)) return fail(Alarm::CompTipPlane, 'G', {}, path.tool.tip);
     if (!compensating_) {
-        if (reads_ahead() && inclined_ != (comp_in_frame_ && frame_inclines())) return fail(Alarm::SubframeRotates, 'G', "G41, G42");   // a corner lies in the other plane
+        // a corner lies in the other plane
+        if (reads_ahead() && inclined_ != (comp_in_frame_ && frame_inclines()))
+            return fail(Alarm::SubframeRotates, 'G', "G41, G42");
         chain(comp_in_frame_);
         tell_comp([p, q, options = comp_options_](compensation::Compensator& comp) {
-            if (comp.off()) comp.configure(static_cast<unsigned>(p), static_cast<unsigned>(q), options);
+            if (comp.off())
+                comp.configure(static_cast<unsigned>(p), static_cast<unsigned>(q), options);
         });
         compensating_ = true;
     }
@@ -83,7 +93,7 @@ bool Core::stage_corners() {
         sink_ = stage_.get();
         staged_ = true;
     }
-    if (stage_->holding()) return true;   // its own plane is that of the held move
+    if (stage_->holding()) return true;  // its own plane is that of the held move
     AxisSet geometry = 0;
     for (const int place : geo_)
         if (place >= 0) geometry |= 1u << place;
@@ -109,7 +119,10 @@ void Core::compensation_resumes() {
 
 bool Core::compensation_off(double wish_p, double wish_q) {
     at.comp = comp_side_ = CompSide::Off;
-    if (compensating_) tell_comp([wish_p, wish_q](compensation::Compensator& comp) { comp.cancel_towards({wish_p, wish_q}); });
+    if (compensating_)
+        tell_comp([wish_p, wish_q](compensation::Compensator& comp) {
+            comp.cancel_towards({wish_p, wish_q});
+        });
     return true;
 }
 
@@ -126,22 +139,32 @@ void Core::tell_nose() {
     const ToolState& tool = path.tool;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
     const double radius = tool.nose_radius + tool.allowance;
-    const Vec from_centre = std::fabs(tool.nose_radius) * (tip ? tip_of(comp_options_, tool.tip) : Vec{});
+    const Vec from_centre =
+        std::fabs(tool.nose_radius) * (tip ? tip_of(comp_options_, tool.tip) : Vec{});
     const bool has_offset = (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off;
-    // The contour does not bend where a straight block takes the tool over to another offset (fanuc_lathe 1.4, 2.1).
+    // The contour does not bend where a straight block takes the tool over to another offset
+    // (fanuc_lathe 1.4, 2.1).
     Vec step;
     int p = -1, q = -1;
     plane_axes(p, q);
     const bool straight = move_.kind == MoveKind::Rapid || move_.kind == MoveKind::Linear;
     if (straight && !offset_alone_ && !inclined_ && !path.factored && p >= 0 && q >= 0) {
-        const auto change = [this](int place) { return path.wanted[static_cast<std::size_t>(place)] - path.vector[static_cast<std::size_t>(place)]; };
+        const auto change = [this](int place) {
+            return path.wanted[static_cast<std::size_t>(place)] -
+                   path.vector[static_cast<std::size_t>(place)];
+        };
         step = {change(p), change(q)};
     }
-    if (!staged_) comp_->nose(radius, from_centre, has_offset, step);
-    else tell_comp([radius, from_centre, has_offset](compensation::Compensator& comp) { comp.nose(radius, from_centre, has_offset); });
+    if (!staged_)
+        comp_->nose(radius, from_centre, has_offset, step);
+    else
+        tell_comp([radius, from_centre, has_offset](compensation::Compensator& comp) {
+            comp.nose(radius, from_centre, has_offset);
+        });
 }
 
-// Of the plane; an axis beside it that stays where it is moves nothing in it, as when it moves (fanuc_lathe 3.12).
+// Of the plane; an axis beside it that stays where it is moves nothing in it, as when it moves
+// (fanuc_lathe 3.12).
 void Core::tell_zero_distance() {
     int p = -1, q = -1;
     if (fixture_named_ != 0 && (fixture_named_ & plane_axes(p, q)) == 0) return;
@@ -154,13 +177,15 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
         comp_->settle();
     }
     if (staged_) {
-        stage_->forget_want();   // the block made no move
+        stage_->forget_want();  // the block made no move
         stage_->block_done();
     }
     tell_comp([counts](compensation::Compensator& comp) { comp.block_done(counts); });
-    if (wants_barrier) tell_comp([here = at](compensation::Compensator& comp) { comp.ensure_halt(here); });
+    if (wants_barrier)
+        tell_comp([here = at](compensation::Compensator& comp) { comp.ensure_halt(here); });
     if (!compensation_failed()) return false;
-    // Where something in between must be executed first (M0, a wait), what stands behind it is still there: reading stops.
+    // Where something in between must be executed first (M0, a wait), what stands behind it is
+    // still there: reading stops.
     if (staged_ && !stage_->holding() && (compensating_ || comp_->closed())) {
         staged_ = false;
         sink_ = comp_.get();
@@ -174,20 +199,23 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
 
 bool Core::compensation_failed() {
     if (staged_ && stage_->failed() && stage_->fault() != Alarm{}) {
-        fail(stage_->fault(), stage_->fault_letter(), stage_->fault() == Alarm::FagorTangential ? "G37, G38, G39" : "");
+        fail(stage_->fault(), stage_->fault_letter(),
+             stage_->fault() == Alarm::FagorTangential ? "G37, G38, G39" : "");
         fault_.block = stage_->fault_block();
         return false;
     }
     if (!comp_->failed()) return true;
     const auto& fault = comp_->fault();
-    if (fault.alarm == Alarm{}) return true;   // somebody else's alarm: it was told
+    if (fault.alarm == Alarm{}) return true;  // somebody else's alarm: it was told
     const bool here = fault.this_block && fault.at.serial == at.serial;
     fail(fault.alarm, here ? 'G' : 0);
     if (!here) fault_.block = fault.at;
     return false;
 }
 
-bool Core::holds_block() const { return reads_ahead() && (comp_->holds_block() || (staged_ && stage_->holding())); }
+bool Core::holds_block() const {
+    return reads_ahead() && (comp_->holds_block() || (staged_ && stage_->holding()));
+}
 
 void Core::barrier_before_held() { comp_->halt_before_held(at); }
 
@@ -195,12 +223,16 @@ bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {
     if (reads_ahead()) {
-        const bool moves_follow = comp_->holds_moves_back();   // read on already: they begin where the machine stands now
+        // read on already: they begin where the machine stands now
+        const bool moves_follow = comp_->holds_moves_back();
         comp_->resume();
-        if (moves_follow || (staged_ && stage_->holding()) || comp_->holds() || comp_->halted()) return false;
+        if (moves_follow || (staged_ && stage_->holding()) || comp_->holds() || comp_->halted())
+            return false;
     }
-    // The PLC may have given the channel another spindle: what was said to the old one does not hold for it.
-    if (const auto chosen = static_cast<std::uint16_t>(port_->selected_spindle()); chosen != 0 && chosen != path.spindle.spindle) {
+    // The PLC may have given the channel another spindle: what was said to the old one does not
+    // hold for it.
+    if (const auto chosen = static_cast<std::uint16_t>(port_->selected_spindle());
+        chosen != 0 && chosen != path.spindle.spindle) {
         path.spindle = {};
         path.spindle.spindle = chosen;
     }
@@ -214,7 +246,9 @@ double Core::machine_now(unsigned i) const {
     const Vec d = comp_->displacement();
     if (inclined_) return path.machine[i] + displaced_along(i, d.p, d.q);
     const double f = path.factored ? path.factor[i] : 1.0;
-    return path.machine[i] + f * (static_cast<int>(i) == p ? d.p : static_cast<int>(i) == q ? d.q : 0.0);
+    return path.machine[i] + f * (static_cast<int>(i) == p   ? d.p
+                                  : static_cast<int>(i) == q ? d.q
+                                                             : 0.0);
 }
 
 // G53, G28, G30: the vector of all axes goes as soon as one of the plane is named.
@@ -240,22 +274,27 @@ void Core::end_cycle() {
     if (compensating_) comp_->bypass(compensation::Compensator::Bypass::None);
 }
 
-//   tip = programmed + shift along one axis a;   centre = tip - r*e must lie at distance r:  (shift*a - r*e) . n = r
+//   tip = programmed + shift along one axis a;   centre = tip - r*e must lie at distance r:
+//                                                (shift*a - r*e) . n = r
 //   shift = r * (1 + e.n) / (a.n)                n normal of the cut towards the outside
-double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along, const AxisValues& outside) const {
+double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
+                       const AxisValues& outside) const {
     int p = -1, q = -1;
     plane_axes(p, q);
     const ToolState& tool = path.tool;
-    if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0) || tool.nose_off) return 0.0;
+    if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0) || tool.nose_off)
+        return 0.0;
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
-    const auto around = [this](const AxisValues& point) { return path.framed ? before_factors(framed(point)) : point; };
+    const auto around = [this](const AxisValues& point) {
+        return path.framed ? before_factors(framed(point)) : point;
+    };
     const AxisValues from = around(a), to = around(b), out = around(outside);
     const Vec cut{to[i] - from[i], to[k] - from[k]};
     if (compensation::length(cut) == 0) return 0.0;
     Vec n = compensation::left_of(compensation::unit(cut));
     if (compensation::dot(n, {out[i] - from[i], out[k] - from[k]}) < 0) n = -1.0 * n;
     double share = along == i ? n.p : n.q;
-    if (path.framed) {   // the ends move along the programmed axis; the nose lies outside the frame
+    if (path.framed) {  // the ends move along the programmed axis; the nose lies outside the frame
         AxisValues ahead = a;
         ahead[along] += 1.0;
         const AxisValues there = around(ahead);
@@ -263,7 +302,10 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     }
     if (std::fabs(share) < 1e-6) return std::numeric_limits<double>::quiet_NaN();
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    return (std::fabs(tool.nose_radius + tool.allowance) + std::fabs(tool.nose_radius) * compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) / share;
+    return (std::fabs(tool.nose_radius + tool.allowance) +
+            std::fabs(tool.nose_radius) *
+                compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) /
+           share;
 }
 
 void Core::drop_compensation_vector() {

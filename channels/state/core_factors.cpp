@@ -1,14 +1,15 @@
-// Factors of single axes behind compensation: Core's positions have them (they are part of the frame), what it delivers has not,
-// FactorSink puts them on again.
+// Factors of single axes behind compensation: Core's positions have them (they are part of the
+// frame), what it delivers has not, FactorSink puts them on again.
+#include "channels/pipeline/factor_sink.hpp"
 #include "channels/state/core.hpp"
-#include "channels/state/factor_sink.hpp"
 
 namespace polyturn::channels {
 
 void Core::set_factors(const AxisValues& factor, const Frame& frame) {
     path.factor = factor;
     path.factored = false;
-    for (unsigned i = 0; i < view_->axis_count; ++i) path.factored = path.factored || factor[i] != 1.0;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        path.factored = path.factored || factor[i] != 1.0;
     if (path.factored && !factors_) {
         factors_ = std::make_unique<FactorSink>(*view_, path);
         refresh_routes();
@@ -22,8 +23,13 @@ void Core::show_factors() {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
         const bool counts_on = path.factored && path.factor[i] != 1.0;
-        if (counts_on && axis.rollover) axis.rollover = false, axis.counts_on = true;
-        else if (!counts_on && axis.counts_on) axis.rollover = true, axis.counts_on = false;
+        if (counts_on && axis.rollover) {
+            axis.rollover = false;
+            axis.counts_on = true;
+        } else if (!counts_on && axis.counts_on) {
+            axis.rollover = true;
+            axis.counts_on = false;
+        }
     }
 }
 
@@ -58,7 +64,8 @@ void Core::take_factors_off() {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         const double f = path.factor[i];
         if (f == 1.0) continue;
-        const double start = move_.machine_start[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.vector[i];
+        const double start = move_.machine_start[i] - path.turns_deg[i] - path.zero[i] -
+                             path.shift[i] - path.vector[i];
         move_.machine_start[i] -= start - start / f;
         move_.machine[i] -= move_.pos[i] - move_.pos[i] / f;
         move_.pos[i] /= f;

@@ -10,13 +10,14 @@ namespace f = five_axis;
 
 using Vector = std::array<double, 3>;
 
-Vector turned_by_table(const Kinematics& k, const std::array<double, 2>& angle, Vector v, double sense) {
+Vector turned_by_table(const Kinematics& k, const std::array<double, 2>& angle, Vector v,
+                       double sense) {
     const bool first = k.value[f::kFirstIsHead] == 0 && f::exists(k, f::kFirstDirection);
     const bool second = k.value[f::kSecondIsHead] == 0 && f::exists(k, f::kSecondDirection);
     if (sense < 0 && first) v = f::turned(&k.value[f::kFirstDirection], -angle[0], v);
     if (second) v = f::turned(&k.value[f::kSecondDirection], sense * angle[1], v);
     if (sense > 0 && first) v = f::turned(&k.value[f::kFirstDirection], angle[0], v);
-    for (double& c : v) c = std::round(c * 1e9) / 1e9;   // quarter turns give whole numbers
+    for (double& c : v) c = std::round(c * 1e9) / 1e9;  // quarter turns give whole numbers
     return v;
 }
 
@@ -53,13 +54,19 @@ std::array<double, 3> Core::fixture_at(const AxisValues& point) const {
     std::array<double, 2> angle{};
     for (std::size_t r = 0; r < 2; ++r) {
         const std::uint8_t place = fixture.table.axis[3 + r];
-        if (place >= view_->axis_count) angle[r] = fixture.table.centre[3 + r];   // a fixed angle
-        else angle[r] = point[place] + path.turns_deg[place] + path.zero[place] + path.shift[place] + path.wanted[place];
+        if (place >= view_->axis_count)
+            angle[r] = fixture.table.centre[3 + r];  // a fixed angle
+        else
+            angle[r] = point[place] + path.turns_deg[place] + path.zero[place] + path.shift[place] +
+                       path.wanted[place];
     }
-    return turned_by_table(fixture.table, angle, turned_by_table(fixture.table, fixture.at_deg, fixture.measured, -1.0), 1.0);
+    return turned_by_table(fixture.table, angle,
+                           turned_by_table(fixture.table, fixture.at_deg, fixture.measured, -1.0),
+                           1.0);
 }
 
-// What the move that is begun adds to the shift. An arc cannot be driven from one vector to another.
+// What the move that is begun adds to the shift. An arc cannot be driven from one vector to
+// another.
 bool Core::follow_fixture(const AxisValues& target, MoveKind kind) {
     fixture_step_ = {};
     const bool names_linear = [&] {

@@ -8,9 +8,9 @@
 namespace polyturn::channels {
 namespace {
 
-constexpr double kSame = 1e-9;          // mm: no movement
-constexpr double kSamePoint = 1e-7;     // mm: an arc that ends where it starts is a full circle
-constexpr double kLimitSlack = 1e-6;    // mm: exactly on the limit is inside
+constexpr double kSame = 1e-9;        // mm: no movement
+constexpr double kSamePoint = 1e-7;   // mm: an arc that ends where it starts is a full circle
+constexpr double kLimitSlack = 1e-6;  // mm: exactly on the limit is inside
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double wrapped(double value, double period) { return value - std::floor(value / period) * period; }
@@ -26,10 +26,12 @@ double Core::rollover_target(unsigned i, double word, bool absolute) {
     } else if (axis.rollover_shortest) {
         distance = wrapped(word, period) - now;
         if (distance > period / 2) distance -= period;
-        if (distance <= -period / 2) distance += period;   // half a turn goes the positive way
+        if (distance <= -period / 2) distance += period;  // half a turn goes the positive way
     } else {
-        const double target = wrapped(axis.rollover_sign_is_direction ? std::fabs(word) : word, period);
-        const bool backwards = axis.rollover_sign_is_direction ? std::signbit(word) : word < 0;   // the sign of a position: 0 is positive (part 1, 3.5)
+        const double target =
+            wrapped(axis.rollover_sign_is_direction ? std::fabs(word) : word, period);
+        // the sign of a position: 0 is positive (part 1, 3.5)
+        const bool backwards = axis.rollover_sign_is_direction ? std::signbit(word) : word < 0;
         distance = backwards ? -wrapped(now - target, period) : wrapped(target - now, period);
     }
     return now + distance;
@@ -43,13 +45,14 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     factors_off_ = false;
     if (path.framed && !frame_reachable(target)) return false;
     const AxisValues& point = path.framed ? framed_ = framed(target) : target;
-    AxisValues along{};   // that the table takes the workpiece with it
+    AxisValues along{};  // that the table takes the workpiece with it
     if (path.fixture.on) {
         if (!follow_fixture(target, kind)) return false;
         put_geo(along, fixture_step_);
     }
     for (unsigned i = 0; i < count; ++i) {
-        const double end = along[i] + point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+        const double end =
+            along[i] + point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
         move_.machine_start[i] = path.machine[i];
         move_.pos[i] = point[i];
         if (std::fabs(end - path.machine[i]) > kSame) {
@@ -61,11 +64,12 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     }
     move_.kind = kind;
     move_.moved = moved;
-    move_.tap_turns = 0.0;   // of the tap before: only turn_with_move() makes another one
+    move_.tap_turns = 0.0;  // of the tap before: only turn_with_move() makes another one
     move_.tap_floats = false;
     if (moved & view_->own_programs && at.own_axis < 0) {
-        const ChannelAxis& axis = view_->axes[static_cast<unsigned>(__builtin_ctz(moved & view_->own_programs))];
-        return fail(Alarm::BesideRefused, axis.name[0], axis.name);
+        const ChannelAxis& axis =
+            view_->axes[static_cast<unsigned>(__builtin_ctz(moved & view_->own_programs))];
+        return fail(Alarm::PositioningRefused, axis.name[0], axis.name);
     }
     const bool arc = kind == MoveKind::ArcCw || kind == MoveKind::ArcCcw;
     return within_stroke(move_.machine, moved) && (arc || zones_allow());
@@ -75,31 +79,40 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
     for (AxisSet left = moved; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const ChannelAxis& axis = view_->axes[i];
-        if (axis.hypothetical) return fail(Alarm::AxisHypothetical, axis.name[0], std::string(axis.name));
+        if (axis.hypothetical)
+            return fail(Alarm::AxisHypothetical, axis.name[0], std::string(axis.name));
     }
-    if (!view_->stroke.before_move || (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip)) return true;
-    if (at.own_by_way && (moved & view_->own_programs)) return true;   // only the kernel knows from where
+    if (!view_->stroke.before_move ||
+        (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip))
+        return true;
+    // only the kernel knows from where
+    if (at.own_by_way && (moved & view_->own_programs)) return true;
     StrokeFault out;
     AxisValues drives = machine;
-    if (!on_machine(drives)) return true;   // TransformSink says what is wrong with it
+    if (!on_machine(drives)) return true;  // TransformSink says what is wrong with it
     if (routes_)
-        for (unsigned i = 0; i < view_->axis_count; ++i) drives[i] = view_->axes[i].to_drive(machine[i]);
-    for (AxisSet left = moved; left; left &= left - 1) {   // what a superimposed master has added counts (nct part 2 22.5)
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            drives[i] = view_->axes[i].to_drive(machine[i]);
+    // what a superimposed master has added counts (nct part 2 22.5)
+    for (AxisSet left = moved; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         drives[i] += port_->axis_added(view_->axes[i].machine_axis);
     }
     if (!forbidden(zones_, drives.data(), moved, out)) return true;
     const ChannelAxis& axis = view_->axes[out.axis];
-    return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(out.axis, drives[out.axis]), view_->to_shown(out.axis, out.limit));
+    return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name),
+                view_->to_shown(out.axis, drives[out.axis]), view_->to_shown(out.axis, out.limit));
 }
 
-// The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1, 3.8).
+// The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1,
+// 3.8).
 bool Core::zones_allow() {
     if (!factors_off_) return zones_allow(move_);
     // An arc with factors: its chords, where they really are.
     constexpr int kChords = 90;
     const unsigned p = move_.plane_p, q = move_.plane_q;
-    const double first = std::atan2(move_.machine_start[q] - move_.centre_q, move_.machine_start[p] - move_.centre_p);
+    const double first = std::atan2(move_.machine_start[q] - move_.centre_q,
+                                    move_.machine_start[p] - move_.centre_p);
     Move chord = move_;
     chord.kind = MoveKind::Linear;
     chord.machine = path.machine;
@@ -107,8 +120,10 @@ bool Core::zones_allow() {
         const double angle = first + move_.sweep * k / kChords;
         chord.machine_start = chord.machine;
         for (const unsigned i : {p, q}) {
-            const double plain = i == p ? move_.centre_p + move_.radius * std::cos(angle) : move_.centre_q + move_.radius * std::sin(angle);
-            chord.machine[i] = behind_factors(i, plain, path.zero[i] + path.shift[i] + path.wanted[i]);
+            const double plain = i == p ? move_.centre_p + move_.radius * std::cos(angle)
+                                        : move_.centre_q + move_.radius * std::sin(angle);
+            chord.machine[i] =
+                behind_factors(i, plain, path.zero[i] + path.shift[i] + path.wanted[i]);
         }
         if (!zones_allow(chord)) return false;
     }
@@ -125,10 +140,14 @@ bool Core::zones_allow(const Move& move) {
         }
         int p = -1, q = -1;
         plane_axes(p, q);
-        if (p >= 0 && q >= 0) tip.centre_p -= path.wanted[static_cast<std::size_t>(p)], tip.centre_q -= path.wanted[static_cast<std::size_t>(q)];
+        if (p >= 0 && q >= 0) {
+            tip.centre_p -= path.wanted[static_cast<std::size_t>(p)];
+            tip.centre_q -= path.wanted[static_cast<std::size_t>(q)];
+        }
         if (!violates(path.zones[n], tip)) continue;
         const bool enters = path.zones[n].guard == WorkZone::Guard::NoEntry;
-        return fail(enters ? Alarm::FagorZoneEntered : Alarm::FagorZoneLeft, 0, {}, static_cast<double>(n + 1));
+        return fail(enters ? Alarm::FagorZoneEntered : Alarm::FagorZoneLeft, 0, {},
+                    static_cast<double>(n + 1));
     }
     return within_second_limits(move);
 }
@@ -137,16 +156,21 @@ bool Core::zones_allow(const Move& move) {
 bool Core::within_second_limits(const Move& move) {
     if (path.second_limits.guard == WorkZone::Guard::Off) return true;
     WorkZone zone = path.second_limits;
-    zone.has_low &= move.moved, zone.has_high &= move.moved;   // where an axis rests is nobody's fault
+    // where an axis rests is nobody's fault
+    zone.has_low &= move.moved;
+    zone.has_high &= move.moved;
     if (!violates(zone, move)) return true;
     unsigned i = 0;
     for (AxisSet left = zone.has_low | zone.has_high; left; left &= left - 1) {
         i = static_cast<unsigned>(__builtin_ctz(left));
-        const bool below = (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i], above = (zone.has_high >> i & 1u) && move.machine[i] > zone.high[i];
-        if (below || above) break;   // none: the middle of an arc is beyond
+        const bool below = (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i],
+                   above = (zone.has_high >> i & 1u) && move.machine[i] > zone.high[i];
+        if (below || above) break;  // none: the middle of an arc is beyond
     }
-    const double limit = (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i] ? zone.low[i] : zone.high[i];
-    return fail(Alarm::StrokeExceeded, view_->axes[i].name[0], std::string(view_->axes[i].name), view_->to_shown(i, move.machine[i]), view_->to_shown(i, limit));
+    const double limit =
+        (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i] ? zone.low[i] : zone.high[i];
+    return fail(Alarm::StrokeExceeded, view_->axes[i].name[0], std::string(view_->axes[i].name),
+                view_->to_shown(i, move.machine[i]), view_->to_shown(i, limit));
 }
 
 void Core::deliver() {
@@ -162,11 +186,13 @@ void Core::deliver() {
     for (AxisSet left = move_.moved; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const double way = move_.machine[i] - move_.machine_start[i];
-        if (way != 0.0) path.last_way[i] = way > 0 ? 1 : -1;
+        if (way != 0.0) path.last_travel[i] = way > 0 ? 1 : -1;
     }
     for (unsigned i = 0; i < view_->axis_count; ++i)
-        if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
-    if (staged_ && move_.kind != MoveKind::ArcCw && move_.kind != MoveKind::ArcCcw) {   // a corner lies in the plane that holds
+        if (view_->axes[i].rollover)
+            move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
+    // a corner lies in the plane that holds
+    if (staged_ && move_.kind != MoveKind::ArcCw && move_.kind != MoveKind::ArcCcw) {
         int p = -1, q = -1;
         plane_axes(p, q);
         move_.plane_p = static_cast<std::uint8_t>(std::max(p, 0));
@@ -177,7 +203,7 @@ void Core::deliver() {
 }
 
 void Core::accept(const AxisValues& target) {
-    if (!offset_alone_ || move_.moved) ++ways_;   // an offset that changes nothing is no way
+    if (!offset_alone_ || move_.moved) ++ways_;  // an offset that changes nothing is no way
     if (path.fixture.on) take_fixture_step();
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         path.programmed[i] = target[i];
@@ -191,12 +217,16 @@ void Core::accept(const AxisValues& target) {
 bool Core::feed_ready() {
     if (path.feed <= 0.0) return fail(Alarm::FeedMissing);
     const bool geared = path.feed_mode == FeedMode::PerRevolution && gear_feed.spindle != 0;
-    if (!geared && path.feed_mode == FeedMode::PerRevolution && !spindle_ready(Alarm::SpindleStopped)) return false;
+    if (!geared && path.feed_mode == FeedMode::PerRevolution &&
+        !spindle_ready(Alarm::SpindleStopped))
+        return false;
     move_.feed_mode = path.feed_mode;
     move_.feed = path.feed;
     move_.spindle = geared ? static_cast<std::uint16_t>(gear_feed.spindle) : path.spindle.spindle;
-    if (path.feed_path.degree_unit != 1.0 && path.feed_mode != FeedMode::InverseTime && only_degrees()) move_.feed /= path.feed_path.degree_unit;
-    tell_feed_path();
+    if (path.feed_path.degree_unit != 1.0 && path.feed_mode != FeedMode::InverseTime &&
+        only_degrees())
+        move_.feed /= path.feed_path.degree_unit;
+    set_feed_path();
     if (geared) move_.feed_scale *= gear_feed.factor;
     return true;
 }
@@ -210,17 +240,19 @@ bool Core::only_degrees() const {
     return (move_.moved & by.degrees) != 0;
 }
 
-// The feed counts other axes than the path does: how much of the path one unit of it is, and which axis holds it back.
-void Core::tell_feed_path() {
+// The feed counts other axes than the path does: how much of the path one unit of it is, and which
+// axis holds it back.
+void Core::set_feed_path() {
     const FeedPath& by = path.feed_path;
     move_.feed_scale = by.scale;
     move_.speed_limit = 0.0;
     const bool arc = move_.kind == MoveKind::ArcCw || move_.kind == MoveKind::ArcCcw;
     const double arc_length = arc ? move_.radius * std::fabs(move_.sweep) : 0.0;
     if (helix_in_plane_ && arc && !by.active && arc_length > kSame) {
-        double beside2 = 0.0;   // of the axes that go along with the arc
+        double beside2 = 0.0;  // of the axes that go along with the arc
         for (unsigned i = 0; i < view_->axis_count; ++i)
-            if (i != move_.plane_p && i != move_.plane_q && !view_->axes[i].rotary) beside2 += std::pow(move_.machine[i] - move_.machine_start[i], 2);
+            if (i != move_.plane_p && i != move_.plane_q && !view_->axes[i].rotary)
+                beside2 += std::pow(move_.machine[i] - move_.machine_start[i], 2);
         move_.feed_scale *= std::sqrt(arc_length * arc_length + beside2) / arc_length;
     }
     if (!by.active) {
@@ -228,9 +260,13 @@ void Core::tell_feed_path() {
         double along2 = arc_length * arc_length, round2 = 0.0;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
             if (arc && (i == move_.plane_p || i == move_.plane_q)) continue;
-            (view_->axes[i].rotary ? round2 : along2) += std::pow((move_.machine[i] - move_.machine_start[i]) * (view_->axes[i].rotary ? by.degree_mm : 1.0), 2);
+            (view_->axes[i].rotary ? round2 : along2) +=
+                std::pow((move_.machine[i] - move_.machine_start[i]) *
+                             (view_->axes[i].rotary ? by.degree_mm : 1.0),
+                         2);
         }
-        if (along2 > kSame * kSame && round2 > 0) move_.feed_scale *= std::sqrt(along2 / (along2 + round2));
+        if (along2 > kSame * kSame && round2 > 0)
+            move_.feed_scale *= std::sqrt(along2 / (along2 + round2));
         return;
     }
     double linear2 = 0.0, rotary2 = 0.0, counted2 = 0.0;
@@ -239,7 +275,9 @@ void Core::tell_feed_path() {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         const bool in_plane = arc && (i == move_.plane_p || i == move_.plane_q);
         // Both axes of an arc together make its length.
-        way[i] = !in_plane ? std::fabs(move_.machine[i] - move_.machine_start[i]) : i == move_.plane_p ? arc_length : 0.0;
+        way[i] = !in_plane            ? std::fabs(move_.machine[i] - move_.machine_start[i])
+                 : i == move_.plane_p ? arc_length
+                                      : 0.0;
         if (way[i] <= kSame) continue;
         (view_->axes[i].rotary ? rotary2 : linear2) += way[i] * way[i];
         linear = linear || !view_->axes[i].rotary;
@@ -258,12 +296,16 @@ void Core::tell_feed_path() {
 
 bool Core::rapid(const AxisValues& target) {
     if (!begin_move(target, MoveKind::Rapid)) return false;
-    if (stops_ & move_.moved) return skip_due_ = true, fixed_stop(target, rapid_speed(), FeedMode::PerMinute, true);
+    if (stops_ & move_.moved) {
+        skip_due_ = true;
+        return fixed_stop(target, rapid_speed(), FeedMode::PerMinute, true);
+    }
     if (move_.moved) {
         move_.feed_mode = FeedMode::Rapid;
         move_.feed = 0.0;
         move_.spindle = 0;
-        move_.speed_limit = path.feed_path.rapid_scale < 1 ? path.feed_path.rapid_scale * rapid_speed() : 0.0;
+        move_.speed_limit =
+            path.feed_path.rapid_scale < 1 ? path.feed_path.rapid_scale * rapid_speed() : 0.0;
         deliver();
         path.after_thread = false;
     } else if (compensating_) {
@@ -280,18 +322,25 @@ double Core::rapid_speed() const {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const double way = std::fabs(move_.machine[i] - move_.machine_start[i]);
         (view_->axes[i].rotary ? rotary2 : linear2) += way * way;
-        if (view_->axes[i].rapid_mm_min > 0) slowest = std::fmax(slowest, way / view_->axes[i].rapid_mm_min);   // minutes
+        // minutes
+        if (view_->axes[i].rapid_mm_min > 0)
+            slowest = std::fmax(slowest, way / view_->axes[i].rapid_mm_min);
     }
     return slowest > 0 ? std::sqrt(linear2 > 0 ? linear2 : rotary2) / slowest : 0.0;
 }
 
 bool Core::linear(const AxisValues& target) {
-    if (stops_) return skip_due_ = true, fixed_stop(target, 0.0, path.feed_mode, true);
+    if (stops_) {
+        skip_due_ = true;
+        return fixed_stop(target, 0.0, path.feed_mode, true);
+    }
     if (!begin_move(target, MoveKind::Linear)) return false;
     if (move_.moved) {
         if (!feed_ready()) return false;
-        if (path.tap_pitch != 0) turn_with_move();
-        else if (path.tap_floats) follow_with_holder();
+        if (path.tap_pitch != 0)
+            turn_with_move();
+        else if (path.tap_floats)
+            follow_with_holder();
         deliver();
         path.after_thread = false;
     } else if (compensating_) {
@@ -303,7 +352,8 @@ bool Core::linear(const AxisValues& target) {
 
 // Into the hole the spindle turns as the thread's hand says, out of it the other way.
 void Core::turn_with_move() {
-    const double way = (move_.machine[path.tap_axis] - move_.machine_start[path.tap_axis]) * path.tap_depth_sign;
+    const double way =
+        (move_.machine[path.tap_axis] - move_.machine_start[path.tap_axis]) * path.tap_depth_sign;
     move_.tap_turns = way / path.tap_pitch;
     move_.tap_rpm = path.spindle.rpm;
     move_.tap_out = way < 0 && path.tap_own_acceleration_out;
@@ -321,7 +371,9 @@ void Core::follow_with_holder() {
 AxisValues Core::programmed_at(const AxisValues& machine, AxisSet which) const {
     AxisValues target = path.framed ? framed(path.programmed) : path.programmed;
     for (unsigned i = 0; i < view_->axis_count; ++i)
-        if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
+        if (which >> i & 1u)
+            target[i] =
+                machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
     return path.framed ? unframed(target) : target;
 }
 
@@ -333,10 +385,14 @@ bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
 
 bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     if (reads_ahead()) suspend_compensation(which);
-    AxisSet without = 0;   // those that have no reference point find it
+    AxisSet without = 0;  // those that have no reference point find it
     for (unsigned i = 0; i < view_->axis_count && kind == MoveKind::Reference; ++i)
-        if ((which >> i & 1u) && !view_->axes[i].referenced && !view_->axes[i].hypothetical) without |= 1u << i;
-    if (without) find_reference(without, machine), which &= ~without;
+        if ((which >> i & 1u) && !view_->axes[i].referenced && !view_->axes[i].hypothetical)
+            without |= 1u << i;
+    if (without) {
+        find_reference(without, machine);
+        which &= ~without;
+    }
     const AxisValues target = programmed_at(machine, which);
     if (!begin_move(target, kind)) return false;
     if (move_.moved) {
@@ -350,10 +406,14 @@ bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     return true;
 }
 
-bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release, double torque) {
+bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input,
+                bool release, double torque) {
     skip_moved_ = 0;
     if (!begin_move(target, MoveKind::Skip)) return false;
-    if (!move_.moved) return ++ways_, true;
+    if (!move_.moved) {
+        ++ways_;
+        return true;
+    }
     if (feed > 0) {
         move_.feed = feed;
         move_.feed_mode = mode;
@@ -362,7 +422,9 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
         return false;
     }
     unsigned number = 0;
-    for (const char c : input) number = c >= '0' && c <= '9' && number < 25 ? number * 10 + static_cast<unsigned>(c - '0') : 0;
+    for (const char c : input)
+        number =
+            c >= '0' && c <= '9' && number < 25 ? number * 10 + static_cast<unsigned>(c - '0') : 0;
     move_.skip_input = static_cast<std::uint8_t>(number);
     move_.skip_name = input;
     move_.skip_release = release;
@@ -385,7 +447,8 @@ bool Core::measure(const AxisValues& target, std::string_view input, bool releas
     return good;
 }
 
-bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input) {
+bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come,
+                      std::string_view input) {
     stops_ = 0;
     move_.fixed_stop = true;
     move_.stop_must_come = must_come;
@@ -405,14 +468,17 @@ AxisSet Core::take_skip() {
         if (!stopped) continue;
         came |= 1u << i;
         take_machine(i, *stopped);
-        if (std::fabs(view_->axes[i].from_drive(*stopped) - skip_target_[i]) > kLimitSlack) early |= 1u << i;
+        if (std::fabs(view_->axes[i].from_drive(*stopped) - skip_target_[i]) > kLimitSlack)
+            early |= 1u << i;
     }
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (came >> i & 1u) skip_point_[i] = path.programmed[i];
     for (AxisSet left = came; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
-        if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
-        else if (passes) take_machine(i, view_->axes[i].to_drive(skip_target_[i]));
+        if (const auto rests = port_->axis_command(view_->axes[i].machine_axis))
+            take_machine(i, *rests);
+        else if (passes)
+            take_machine(i, view_->axes[i].to_drive(skip_target_[i]));
     }
     return early;
 }
@@ -430,8 +496,12 @@ bool Core::curve(const AxisValues& target, const std::vector<AxisValues>& betwee
         AxisValues machine = move_.machine_start;
         double step2 = 0.0;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
-            const double there = point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
-            if (std::fabs(there - machine[i]) > kSame) moved |= 1u << i, machine[i] = there;
+            const double there =
+                point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+            if (std::fabs(there - machine[i]) > kSame) {
+                moved |= 1u << i;
+                machine[i] = there;
+            }
             step2 += (machine[i] - before[i]) * (machine[i] - before[i]);
         }
         if (!within_stroke(machine, moved)) return false;
@@ -441,14 +511,22 @@ bool Core::curve(const AxisValues& target, const std::vector<AxisValues>& betwee
     }
     const auto at_end = [&](const AxisValues& point) {
         double way2 = 0.0;
-        for (unsigned i = 0; i < view_->axis_count; ++i) way2 += (point[i] - move_.machine[i]) * (point[i] - move_.machine[i]);
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            way2 += (point[i] - move_.machine[i]) * (point[i] - move_.machine[i]);
         return way2 < kSamePoint * kSamePoint;
     };
     while (!through->empty() && at_end(through->back())) through->pop_back();
     move_.moved = moved;
-    if (!moved) return accept(target), true;
+    if (!moved) {
+        accept(target);
+        return true;
+    }
     if (!feed_ready()) return false;
-    if (path.feed_path.active || path.feed_path.scale != 1) move_.feed_scale = path.feed_path.scale, move_.speed_limit = 0.0;   // the curve's own length counts
+    // the curve's own length counts
+    if (path.feed_path.active || path.feed_path.scale != 1) {
+        move_.feed_scale = path.feed_path.scale;
+        move_.speed_limit = 0.0;
+    }
     move_.through = std::move(through);
     deliver();
     move_.through = nullptr;
@@ -463,8 +541,10 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     if (pi < 0 || qi < 0) return fail(Alarm::PlaneAxisMissing);
     auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
     ArcCall call = programmed;
-    if (inclined_) incline_arc(call, target, p, q);
-    else if (path.framed && !frame_arc(call, target, p, q)) return false;
+    if (inclined_)
+        incline_arc(call, target, p, q);
+    else if (path.framed && !frame_arc(call, target, p, q))
+        return false;
     bool moves = false;
     if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
     take_factors_off();
@@ -486,16 +566,20 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
     moves = false;
     const double to_machine_p = path.zero[p] + path.shift[p] + path.wanted[p];
     const double to_machine_q = path.zero[q] + path.shift[q] + path.wanted[q];
-    const double sp = move_.machine_start[p], sq = move_.machine_start[q], ep = move_.machine[p], eq = move_.machine[q];
+    const double sp = move_.machine_start[p], sq = move_.machine_start[q], ep = move_.machine[p],
+                 eq = move_.machine[q];
     const double chord = std::hypot(ep - sp, eq - sq);
     double cp = 0.0, cq = 0.0;
     if (call.has_radius) {
         if (call.radius == 0.0) return fail(Alarm::ArcRadiusIllegal, 'R');
-        if (chord < kSamePoint) return true;   // an arc by its radius that goes nowhere has no angle
+        // an arc by its radius that goes nowhere has no angle
+        if (chord < kSamePoint) return true;
         const double radius = std::fabs(call.radius), half = chord / 2;
-        if (half - radius > call.tolerance + kSame) return fail(Alarm::RadiusTooSmall, 'R', {}, half - radius);
+        if (half - radius > call.tolerance + kSame)
+            return fail(Alarm::RadiusTooSmall, 'R', {}, half - radius);
         const double height = radius > half ? std::sqrt((radius - half) * (radius + half)) : 0.0;
-        // The centre lies to the left of the chord for a short arc anticlockwise and for a long one clockwise.
+        // The centre lies to the left of the chord for a short arc anticlockwise and for a long one
+        // clockwise.
         const double side = (call.clockwise != (call.radius < 0)) ? -1.0 : 1.0;
         cp = (sp + ep) / 2 - side * height * (eq - sq) / chord;
         cq = (sq + eq) / 2 + side * height * (ep - sp) / chord;
@@ -504,13 +588,17 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
         cq = call.centre_q + to_machine_q;
     }
     const double rs = std::hypot(sp - cp, sq - cq), re = std::hypot(ep - cp, eq - cq);
-    if (rs < kSamePoint || re < kSamePoint) return fail(at.comp != CompSide::Off ? Alarm::CompArcCentre : Alarm::ArcWithoutRadius, 0);
-    if (std::fabs(rs - re) > call.tolerance + kSame) return fail(Alarm::ArcRadiusDiffers, 0, {}, std::fabs(rs - re), call.tolerance);
+    if (rs < kSamePoint || re < kSamePoint)
+        return fail(at.comp != CompSide::Off ? Alarm::CompArcCentre : Alarm::ArcWithoutRadius, 0);
+    if (std::fabs(rs - re) > call.tolerance + kSame)
+        return fail(Alarm::ArcRadiusDiffers, 0, {}, std::fabs(rs - re), call.tolerance);
     const double a0 = std::atan2(sq - cq, sp - cp), a1 = std::atan2(eq - cq, ep - cp);
-    double sweep = call.clockwise ? a0 - a1 : a1 - a0;   // in the direction of travel
+    double sweep = call.clockwise ? a0 - a1 : a1 - a0;  // in the direction of travel
     sweep = wrapped(sweep, kTurn);
-    if (chord < kSamePoint) sweep = kTurn;
-    else if (kTurn - sweep < 1e-12) sweep = 0.0;
+    if (chord < kSamePoint)
+        sweep = kTurn;
+    else if (kTurn - sweep < 1e-12)
+        sweep = 0.0;
     sweep += kTurn * call.turns;
     move_.plane_p = static_cast<std::uint8_t>(p);
     move_.plane_q = static_cast<std::uint8_t>(q);
@@ -524,15 +612,20 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
     move_.turns = call.turns;
     if (sweep == 0.0) return true;
     // Where the arc bulges beyond both ends: at whole quarter turns inside the sweep.
-    const double first = call.clockwise ? a1 : a0;   // lower end of the angle range
+    const double first = call.clockwise ? a1 : a0;  // lower end of the angle range
     AxisValues extreme = move_.machine;
-    for (int k = static_cast<int>(std::ceil(first / (kTurn / 4) - 1e-12)); k * (kTurn / 4) < first + sweep && k < 16; ++k) {
+    for (int k = static_cast<int>(std::ceil(first / (kTurn / 4) - 1e-12));
+         k * (kTurn / 4) < first + sweep && k < 16; ++k) {
         extreme[p] = cp + (k & 1 ? 0.0 : (k & 2 ? -rs : rs));
         extreme[q] = cq + (k & 1 ? (k & 2 ? -rs : rs) : 0.0);
         AxisValues real = extreme;
-        if (inclined_) real = behind_incline(extreme);
+        if (inclined_)
+            real = behind_incline(extreme);
         else if (factors_off_)
-            for (unsigned i = 0; i < view_->axis_count; ++i) real[i] = i == p ? behind_factors(p, extreme[p], to_machine_p) : i == q ? behind_factors(q, extreme[q], to_machine_q) : real_end_[i];
+            for (unsigned i = 0; i < view_->axis_count; ++i)
+                real[i] = i == p   ? behind_factors(p, extreme[p], to_machine_p)
+                          : i == q ? behind_factors(q, extreme[q], to_machine_q)
+                                   : real_end_[i];
         if (!within_stroke(real, (1u << p) | (1u << q))) {
             fault_.alarm = Alarm::MirrorOfStroke;
             return false;

@@ -41,9 +41,11 @@ bool Core::spindle_speed(double value) {
 
 bool Core::named_spindle(unsigned spindle, double rpm) {
     if (rpm < 0) return fail(Alarm::NegativeSign, 'S', "S");
-    if (spindle == path.spindle.spindle && path.spindle.mode == SpindleModeCode::Rpm) return spindle_speed(rpm);
-    if (!commit_spindle()) return false;   // several in one block
-    if (spindle != path.named.spindle) path.named = {static_cast<std::uint16_t>(spindle), 0.0, SpindleTurn::Stop};
+    if (spindle == path.spindle.spindle && path.spindle.mode == SpindleModeCode::Rpm)
+        return spindle_speed(rpm);
+    if (!commit_spindle()) return false;  // several in one block
+    if (spindle != path.named.spindle)
+        path.named = {static_cast<std::uint16_t>(spindle), 0.0, SpindleTurn::Stop};
     path.named.rpm = rpm;
     named_speed_changed_ = true;
     return true;
@@ -95,22 +97,33 @@ bool Core::spindle_limit(double rpm) {
     return true;
 }
 
-bool Core::spindle_position(double degrees, SpindleApproach approach) { return spindle_to(degrees, approach, 0.0); }
+bool Core::spindle_position(double degrees, SpindleApproach approach) {
+    return spindle_to(degrees, approach, 0.0);
+}
 
-bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, bool closed, double feed_rpm) {
-    position_feed_rpm_ = feed_rpm, position_closed_ = closed;
+bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, bool closed,
+                         double feed_rpm) {
+    position_feed_rpm_ = feed_rpm;
+    position_closed_ = closed;
     const SpindleState meant = path.spindle;
     path.spindle.spindle = static_cast<decltype(path.spindle.spindle)>(spindle);
-    const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees, SpindleApproach::Incremental, degrees) : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
-    if (spindle != meant.spindle) path.spindle = meant;   // the channel's own spindle goes on turning
-    position_feed_rpm_ = 0, position_closed_ = false;
+    const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees,
+                                               SpindleApproach::Incremental, degrees)
+                                  : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
+    // the channel's own spindle goes on turning
+    if (spindle != meant.spindle) path.spindle = meant;
+    position_feed_rpm_ = 0;
+    position_closed_ = false;
     return done;
 }
 
-bool Core::spindle_index(double way_deg) { return spindle_to(path.spindle.angle_deg + way_deg, SpindleApproach::Incremental, way_deg); }
+bool Core::spindle_index(double way_deg) {
+    return spindle_to(path.spindle.angle_deg + way_deg, SpindleApproach::Incremental, way_deg);
+}
 
 bool Core::spindle_unwrapped(double degrees, std::optional<double> way_deg) {
-    return spindle_to(degrees, way_deg ? SpindleApproach::Incremental : SpindleApproach::Shortest, way_deg.value_or(0.0), true);
+    return spindle_to(degrees, way_deg ? SpindleApproach::Incremental : SpindleApproach::Shortest,
+                      way_deg.value_or(0.0), true);
 }
 
 bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, bool whole_turns) {
@@ -129,7 +142,7 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, 
     told.approach = approach;
     told.way = way_deg;
     told.mode_changed = true;
-    told.beside = spindle_beside_;
+    told.beside = spindle_positioning_;
     told.feed_rpm = position_feed_rpm_;
     told.needs_loop = position_closed_;
     sink_->spindle(told, at);
@@ -138,7 +151,10 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, 
 
 bool Core::frees_axis() const {
     for (unsigned i = 0; i < view_->axis_count; ++i)
-        if (path.spindle.spindle != 0 && view_->machine.axis(view_->axes[i].machine_axis + 1u).on_spindle == path.spindle.spindle) return true;
+        if (path.spindle.spindle != 0 &&
+            view_->machine.axis(view_->axes[i].machine_axis + 1u).on_spindle ==
+                path.spindle.spindle)
+            return true;
     return false;
 }
 
@@ -165,7 +181,8 @@ bool Core::commit_spindle() {
         Spindle told;
         told.spindle = path.named.spindle;
         told.turn = path.named.turn;
-        told.mode = named_turn_changed_ && told.turn == SpindleTurn::Stop ? SpindleModeCode::Off : SpindleModeCode::Rpm;
+        told.mode = named_turn_changed_ && told.turn == SpindleTurn::Stop ? SpindleModeCode::Off
+                                                                          : SpindleModeCode::Rpm;
         told.value = path.named.rpm;
         told.speed_changed = named_speed_changed_;
         told.turn_changed = named_turn_changed_;
@@ -183,7 +200,8 @@ bool Core::commit_spindle() {
     told.least = s.least_rpm;
     if (s.mode == SpindleModeCode::SurfaceSpeed) {
         const int place = surface_axis();
-        if (s.surface_m_min <= 0 && told.mode != SpindleModeCode::Off) return fail(Alarm::SurfaceSpeedNone, 'G');
+        if (s.surface_m_min <= 0 && told.mode != SpindleModeCode::Off)
+            return fail(Alarm::SurfaceSpeedNone, 'G');
         told.value = s.surface_m_min;
         told.css_axis = place;
         told.css_zero = surface_zero_told_ = surface_zero(place);
@@ -237,12 +255,18 @@ bool Core::spindle_ready(Alarm otherwise) {
         case Port::Turning::No:
             if (waits_for_spindle_ && otherwise == Alarm::SpindleStopped) break;
             return fail(otherwise);
-        case Port::Turning::Watched: return true;
-        case Port::Turning::Unknown: break;
+        case Port::Turning::Watched:
+            return true;
+        case Port::Turning::Unknown:
+            break;
     }
     if (!warned_spindle_) {
         warned_spindle_ = true;
-        sink_->alarm({Alarm::SpindleMaybeStopped, {{}, at.line, 0, 0}, {static_cast<double>(s.spindle), 0.0}, {}}, at);
+        sink_->alarm({Alarm::SpindleMaybeStopped,
+                      {{}, at.line, 0, 0},
+                      {static_cast<double>(s.spindle), 0.0},
+                      {}},
+                     at);
     }
     return true;
 }
@@ -261,21 +285,30 @@ void Core::asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column)
     tell_control(control_);
 }
 
-// The spindle turns on in a hold and would cut the thread away under the tool that stands (the field's standard; fagor_8037t part 2,
-// 9.6.3: "cannot be interrupted"). Programs that run beside the path have no hold of their own.
+// The spindle turns on in a hold and would cut the thread away under the tool that stands (the
+// field's standard; fagor_8037t part 2, 9.6.3: "cannot be interrupted"). Programs that run beside
+// the path have no hold of their own.
 void Core::taps(bool on) {
     path.tap_floats = on;
-    if (at.own_axis < 0) signal("CONTROL", on ? control_ | kControlNoHold | kControlOwnSpindleOverride : control_);
+    if (at.own_axis < 0)
+        signal("CONTROL", on ? control_ | kControlNoHold | kControlOwnSpindleOverride : control_);
 }
 
 bool Core::rigid_loop(TapLoop& loop, bool oriented) {
     const params::Table& t = view_->table();
     const unsigned s = path.spindle.spindle;
     if (s == 0 || s > kMaxSpindles) return fail(Alarm::SpindleMissing, 'G');
-    loop.orients = oriented || params::bit(t, params::n1503_drilling_cycles_config, view_->channel, 1);
-    loop.code = loop.orients ? 0.0 : static_cast<double>(params::get(t, params::n0823_m_code_for_closing_s_loop, s));
-    const bool closes = params::bit(t, params::n0607_spindle_config, s, 2) && params::get(t, params::n0608_spindle_encoder_counts, s) > 0 && !params::bit(t, params::n0742_spindle_servo_control, s, 7);
-    const bool how = loop.orients ? params::bit(t, params::n0607_spindle_config, s, 1) : loop.code > 0;
+    loop.orients =
+        oriented || params::bit(t, params::n1503_drilling_cycles_config, view_->channel, 1);
+    loop.code =
+        loop.orients
+            ? 0.0
+            : static_cast<double>(params::get(t, params::n0823_m_code_for_closing_s_loop, s));
+    const bool closes = params::bit(t, params::n0607_spindle_config, s, 2) &&
+                        params::get(t, params::n0608_spindle_encoder_counts, s) > 0 &&
+                        !params::bit(t, params::n0742_spindle_servo_control, s, 7);
+    const bool how =
+        loop.orients ? params::bit(t, params::n0607_spindle_config, s, 1) : loop.code > 0;
     return (closes && how) || fail(Alarm::TapNotRigid, 'G', "S" + std::to_string(s));
 }
 

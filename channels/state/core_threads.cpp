@@ -1,4 +1,5 @@
-// Threads: a move whose feed is the spindle's turn; the way out of it in a hold, the groove of a part that is clamped again.
+// Threads: a move whose feed is the spindle's turn; the way out of it in a hold, the groove of a
+// part that is clamped again.
 #include <algorithm>
 #include <cmath>
 
@@ -6,11 +7,12 @@
 
 namespace polyturn::channels {
 namespace {
-constexpr double kNoThreadWay = 1e-9;   // mm: no movement
+constexpr double kNoThreadWay = 1e-9;  // mm: no movement
 }  // namespace
 
-// Out of a held thread: as the program says, or PT_THREAD_RETRACT across it, back against the last movement of that axis,
-// which was the infeed. An axis that has not moved yet tells nothing: then a hold acts behind the thread.
+// Out of a held thread: as the program says, or PT_THREAD_RETRACT across it, back against the last
+// movement of that axis, which was the infeed. An axis that has not moved yet tells nothing: then a
+// hold acts behind the thread.
 void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     move_.withdraw_axis = call.withdraw_axis;
     move_.withdraw = call.withdraw;
@@ -20,28 +22,32 @@ void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     int p = -1, q = -1;
     plane_axes(p, q);
     const int across = static_cast<int>(along) == p ? q : p;
-    if (across < 0 || path.last_way[static_cast<std::size_t>(across)] == 0) return;
+    if (across < 0 || path.last_travel[static_cast<std::size_t>(across)] == 0) return;
     move_.withdraw_axis = {static_cast<std::int8_t>(across), -1, -1};
-    move_.withdraw[0] = -distance * path.last_way[static_cast<std::size_t>(across)];
+    move_.withdraw[0] = -distance * path.last_travel[static_cast<std::size_t>(across)];
 }
 
-// A part that was clamped again: where the tool stood in its groove, and the spindle with it, tells the angle at which the
-// record begins on that groove. Turns between: s = u (lead + change u / 2).
+// A part that was clamped again: where the tool stood in its groove, and the spindle with it, tells
+// the angle at which the record begins on that groove. Turns between: s = u (lead + change u / 2).
 double Core::picked_up(const ThreadCall& call, unsigned along) const {
     const params::Table& t = view_->table();
     const unsigned l = view_->channel;
-    if (params::get(t, params::pt_thread_pickup, l) == 0 || move_.thread_chained) return call.start_angle;
+    if (params::get(t, params::pt_thread_pickup, l) == 0 || move_.thread_chained)
+        return call.start_angle;
     const double unit = params::bit(t, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
     const double from = move_.machine_start[along];
-    const double way = (view_->axes[along].from_drive(params::get(t, params::pt_thread_at, l) * unit) - from) * (move_.machine[along] < from ? -1.0 : 1.0);
+    const double way =
+        (view_->axes[along].from_drive(params::get(t, params::pt_thread_at, l) * unit) - from) *
+        (move_.machine[along] < from ? -1.0 : 1.0);
     double turns = way / call.lead;
     if (call.lead_change != 0) {
         const double square = call.lead * call.lead + 2 * call.lead_change * way;
-        if (square <= 0) return call.start_angle;   // this thread never comes there
+        if (square <= 0) return call.start_angle;  // this thread never comes there
         turns = (std::sqrt(square) - call.lead) / call.lead_change;
     }
     const double sense = path.spindle.turn == SpindleTurn::Ccw ? -1.0 : 1.0;
-    const double angle = params::get(t, params::pt_thread_angle, l) - sense * 360.0 * turns + call.start_angle;
+    const double angle =
+        params::get(t, params::pt_thread_angle, l) - sense * 360.0 * turns + call.start_angle;
     return angle - std::floor(angle / 360.0) * 360.0;
 }
 
@@ -75,14 +81,24 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         if (axis.rotary) continue;
         const double distance = std::fabs(move_.machine[i] - move_.machine_start[i]);
         length2 += distance * distance;
-        const bool better = distance > longest + kNoThreadWay || (distance > longest - kNoThreadWay && axis.role == PlaneRole::BasicZ);
-        if (distance > kNoThreadWay && (!any || better)) along = i, longest = distance, any = true;
-        if (axis.role == PlaneRole::BasicX) nearest_x = std::fmin(std::fabs(framed_now()[i]), std::fabs(move_.pos[i]));
+        const bool better = distance > longest + kNoThreadWay ||
+                            (distance > longest - kNoThreadWay && axis.role == PlaneRole::BasicZ);
+        if (distance > kNoThreadWay && (!any || better)) {
+            along = i;
+            longest = distance;
+            any = true;
+        }
+        if (axis.role == PlaneRole::BasicX)
+            nearest_x = std::fmin(std::fabs(framed_now()[i]), std::fabs(move_.pos[i]));
     }
     if (!any) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
-    if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
+    if (call.by_axis) {
+        along = call.axis;
+        longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
+    }
     if (longest <= kNoThreadWay) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
-    const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2), lead_path = call.lead * length / longest;
+    const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2),
+                 lead_path = call.lead * length / longest;
     // Where the lead changes from turn to turn it is sqrt(lead^2 + 2 change way) behind the way.
     const double end_square = call.lead * call.lead + 2.0 * call.lead_change * longest;
     if (call.lead_change != 0 && end_square <= 0) return fail(Alarm::LeadRunsOut, 'K');
@@ -92,14 +108,21 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         double most = rpm;
         int slow = -1;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
-            const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length * lead_path * steepest;
+            const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length *
+                                 lead_path * steepest;
             const double can = view_->axes[i].max_feed_mm_min;
-            if (share > kNoThreadWay && can > 0 && share * most > can * (1 + 1e-9)) most = can / share, slow = static_cast<int>(i);
+            if (share > kNoThreadWay && can > 0 && share * most > can * (1 + 1e-9)) {
+                most = can / share;
+                slow = static_cast<int>(i);
+            }
         }
-        if (slow >= 0) return fail(Alarm::ThreadTooFast, 'F', std::string(view_->axes[static_cast<unsigned>(slow)].name), std::floor(most));
+        if (slow >= 0)
+            return fail(Alarm::ThreadTooFast, 'F',
+                        std::string(view_->axes[static_cast<unsigned>(slow)].name),
+                        std::floor(most));
     }
     move_.thread_chained = path.after_thread;
-    move_.tap_rpm = rpm;   // corners between joined threads are rounded for this speed
+    move_.tap_rpm = rpm;  // corners between joined threads are rounded for this speed
     move_.feed_mode = FeedMode::Thread;
     move_.feed = 0.0;
     move_.spindle = path.spindle.spindle;
@@ -110,7 +133,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     move_.starts = call.starts;
     choose_withdrawal(call, along);
     deliver();
-    path.after_thread = !move_.exact_stop;   // G9, G61: the next one begins anew from rest
+    path.after_thread = !move_.exact_stop;  // G9, G61: the next one begins anew from rest
     accept(target);
     return true;
 }

@@ -2,15 +2,15 @@
 #include <cmath>
 #include <limits>
 
+#include "channels/pipeline/transform_sink.hpp"
 #include "channels/state/core.hpp"
-#include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
 
 bool Core::transform(const Transformation& wanted) {
     if (reads_ahead()) return fail(Alarm::TransformPlace, 'G', "G41 G42");
     if (path.fixture.on) return fail(Alarm::TransformPlace, 'G', "G54.2 P0");
-    if (vector_pending()) take_wanted();   // the tool's offset is in the centre
+    if (vector_pending()) take_wanted();  // the tool's offset is in the centre
     if (!transforms_) {
         transforms_ = std::make_unique<TransformSink>(*view_, path.transformation);
         for (unsigned i = 0; i < view_->axis_count; ++i) transforms_->axes()[i] = path.machine[i];
@@ -33,30 +33,38 @@ bool Core::transform(const Transformation& wanted) {
     k.sign.fill(1.0);
     k.shift.fill(0.0);
     transformation_offsets_ = centre_offsets();
-    if (kind_of(k) != KinematicsKind::FiveAxis) k.centre[0] += transformation_offsets_[0], k.centre[1] += transformation_offsets_[1];
+    if (kind_of(k) != KinematicsKind::FiveAxis) {
+        k.centre[0] += transformation_offsets_[0];
+        k.centre[1] += transformation_offsets_[1];
+    }
     show_transformation();
     AxisValues coordinates = axes;
     places_to_path(path.transformation, coordinates);
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = coordinates[i];
     path.turns_deg = {};
     rebase_all();
-    surface_zero_told_ = std::numeric_limits<double>::quiet_NaN();   // constant surface speed looks at an axis that may mean something else now
+    // constant surface speed looks at an axis that may mean something else now
+    surface_zero_told_ = std::numeric_limits<double>::quiet_NaN();
     refresh_surface_zero();
     return true;
 }
 
-// How far zeros and tool move the centre of the roles: a linear axis is at its centre where its programmed coordinate is 0 (or the
-// machine's), a rotary one counts from the zero of its angle.
+// How far zeros and tool move the centre of the roles: a linear axis is at its centre where its
+// programmed coordinate is 0 (or the machine's), a rotary one counts from the zero of its angle.
 std::array<double, 2> Core::centre_offsets() const {
     const Transformation& t = path.transformation;
     const Kinematics& k = t.kinematics;
     std::array<double, 2> offsets{};
-    if (kind_of(k) == KinematicsKind::FiveAxis) {   // the tool's length is in its arms: any change of it shows in one of the two
+    // the tool's length is in its arms: any change of it shows in one of the two
+    if (kind_of(k) == KinematicsKind::FiveAxis) {
         constexpr double kApart = 0.70710678118654752;
-        const auto of = [&](std::size_t r) { return path.shift[k.axis[r]] + path.wanted[k.axis[r]]; };
+        const auto of = [&](std::size_t r) {
+            return path.shift[k.axis[r]] + path.wanted[k.axis[r]];
+        };
         return {of(0), of(2) + kApart * of(1)};
     }
-    if (kind_of(k) != KinematicsKind::Polar && kind_of(k) != KinematicsKind::Cylinder) return offsets;
+    if (kind_of(k) != KinematicsKind::Polar && kind_of(k) != KinematicsKind::Cylinder)
+        return offsets;
     for (std::size_t r = 0; r < role_count(kind_of(k)); ++r) {
         const unsigned i = k.axis[r];
         const bool of_machine = t.about_machine_zero && static_cast<int>(i) != t.rotary_place();
@@ -67,7 +75,8 @@ std::array<double, 2> Core::centre_offsets() const {
 
 void Core::transform_off() {
     if (!transformed()) return;
-    if (const int c = path.transformation.rotary_place(); c >= 0) path.preset[static_cast<std::size_t>(c)] -= path.transformation.preset_deg;
+    if (const int c = path.transformation.rotary_place(); c >= 0)
+        path.preset[static_cast<std::size_t>(c)] -= path.transformation.preset_deg;
     path.transformation = {};
     show_transformation();
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = transforms_->axes()[i];
@@ -82,35 +91,41 @@ void Core::transformation_restored() {
     show_factors();
 }
 
-// A rotary axis that takes part counts millimetres, and stands for Y where the transformation says so.
+// A rotary axis that takes part counts millimetres, and stands for Y where the transformation says
+// so.
 void Core::show_transformation() {
     const int rotary = path.transformation.rotary_place();
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
         if (axis.turns && static_cast<int>(i) != rotary) {
-            axis.rotary = true, axis.rollover = axis.rolls_over;
+            axis.rotary = true;
+            axis.rollover = axis.rolls_over;
             axis.turns = axis.rolls_over = axis.named_y = false;
         } else if (!axis.turns && static_cast<int>(i) == rotary) {
             axis.named_y = path.transformation.named_y;
-            axis.turns = true, axis.rolls_over = axis.rollover;
+            axis.turns = true;
+            axis.rolls_over = axis.rollover;
             axis.rotary = axis.rollover = false;
         }
     }
-    geo_[1] = path.transformation.virtual_y >= 0 ? path.transformation.virtual_y : view_->axis_by_role(PlaneRole::BasicY);
+    geo_[1] = path.transformation.virtual_y >= 0 ? path.transformation.virtual_y
+                                                 : view_->axis_by_role(PlaneRole::BasicY);
 }
 
 bool Core::on_machine(AxisValues& values) const {
     if (!transformed()) return true;
     const Kinematics& k = path.transformation.kinematics;
-    const bool negative = kind_of(k) == KinematicsKind::Polar && transforms_->axes()[k.axis[0]] < k.centre[0];
-    const Branch branch{kind_of(k) == KinematicsKind::Polar ? transforms_->axes()[k.axis[1]] : 0.0, negative ? SideOfPole::Negative : SideOfPole::Positive};
+    const bool negative =
+        kind_of(k) == KinematicsKind::Polar && transforms_->axes()[k.axis[0]] < k.centre[0];
+    const Branch branch{kind_of(k) == KinematicsKind::Polar ? transforms_->axes()[k.axis[1]] : 0.0,
+                        negative ? SideOfPole::Negative : SideOfPole::Positive};
     return places_to_axes(path.transformation, branch, values);
 }
 
 bool Core::transformation_failed() {
     if (!transforms_) return false;
     if (transformed() && centre_offsets() != transformation_offsets_) {
-        fail(Alarm::TransformPlace, 0, "T, zero offset");   // the centre would not be where it was
+        fail(Alarm::TransformPlace, 0, "T, zero offset");  // the centre would not be where it was
         return true;
     }
     if (!transforms_->failed()) return false;

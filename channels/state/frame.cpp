@@ -14,10 +14,22 @@ void sine_cosine(double degrees, double& sine, double& cosine) {
     const double rest = (degrees - quarters * 90.0) * std::numbers::pi / 180.0;
     const double s = std::sin(rest), c = std::cos(rest);
     switch (static_cast<int>(std::fmod(quarters, 4.0) + 4.0) % 4) {
-        case 0: sine = s, cosine = c; return;
-        case 1: sine = c, cosine = -s; return;
-        case 2: sine = -s, cosine = -c; return;
-        default: sine = -c, cosine = s; return;
+        case 0:
+            sine = s;
+            cosine = c;
+            return;
+        case 1:
+            sine = c;
+            cosine = -s;
+            return;
+        case 2:
+            sine = -s;
+            cosine = -c;
+            return;
+        default:
+            sine = -c;
+            cosine = s;
+            return;
     }
 }
 
@@ -36,12 +48,15 @@ Frame Frame::translation(unsigned place, double by) {
 }
 
 Frame Frame::rotation(GeoAxis about, double degrees) {
-    const auto k = static_cast<std::size_t>(about), i = (k + 1) % 3, j = (k + 2) % 3;   // from i towards j
+    // from i towards j
+    const auto k = static_cast<std::size_t>(about), i = (k + 1) % 3, j = (k + 2) % 3;
     double s = 0, c = 1;
     sine_cosine(degrees, s, c);
     Frame f;
-    f.linear[i][i] = c, f.linear[i][j] = -s;
-    f.linear[j][i] = s, f.linear[j][j] = c;
+    f.linear[i][i] = c;
+    f.linear[i][j] = -s;
+    f.linear[j][i] = s;
+    f.linear[j][j] = c;
     return f;
 }
 
@@ -57,11 +72,14 @@ Frame Frame::scaling(unsigned place, double factor) {
     return f;
 }
 
-Frame Frame::mirror(bool x, bool y, bool z) { return scaling({x ? -1.0 : 1.0, y ? -1.0 : 1.0, z ? -1.0 : 1.0}); }
+Frame Frame::mirror(bool x, bool y, bool z) {
+    return scaling({x ? -1.0 : 1.0, y ? -1.0 : 1.0, z ? -1.0 : 1.0});
+}
 
 Point3 Frame::direction(const Point3& v) const {
     Point3 out{};
-    for (std::size_t i = 0; i < 3; ++i) out[i] = linear[i][0] * v[0] + linear[i][1] * v[1] + linear[i][2] * v[2];
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = linear[i][0] * v[0] + linear[i][1] * v[1] + linear[i][2] * v[2];
     return out;
 }
 
@@ -80,7 +98,8 @@ Frame Frame::operator*(const Frame& inner) const {
     Frame f;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-            f.linear[i][j] = linear[i][0] * inner.linear[0][j] + linear[i][1] * inner.linear[1][j] + linear[i][2] * inner.linear[2][j];
+            f.linear[i][j] = linear[i][0] * inner.linear[0][j] + linear[i][1] * inner.linear[1][j] +
+                             linear[i][2] * inner.linear[2][j];
     f.shift = map(inner.shift);
     for (std::size_t i = 0; i < scale.size(); ++i) {
         f.scale[i] = scale[i] * inner.scale[i];
@@ -91,7 +110,8 @@ Frame Frame::operator*(const Frame& inner) const {
 
 double Frame::determinant() const {
     const auto& m = linear;
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -119,7 +139,8 @@ Frame Frame::inverse() const {
 
 bool Frame::is_identity() const {
     const Frame none;
-    return linear == none.linear && shift == none.shift && scale == none.scale && offset == none.offset;
+    return linear == none.linear && shift == none.shift && scale == none.scale &&
+           offset == none.offset;
 }
 
 }  // namespace polyturn::channels

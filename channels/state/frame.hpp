@@ -1,11 +1,15 @@
-// A frame: the closed rule that takes a point of one system of coordinates into the system around it.
+// A frame: the closed rule that takes a point of one system of coordinates into the system around
+// it.
 //
-//   outer = linear * point + shift      X, Y, Z (as a radius, mm), by PlaneRole, whatever places they have in the channel
+//   outer = linear * point + shift      X, Y, Z (as a radius, mm), by PlaneRole, whatever places
+//                                       they have in the channel
 //   outer = scale * value + offset      every other axis, by its place
 //
-// A chain of frames (basic, settable, programmable, additive ones) is one frame again: Frame::operator*.
+// A chain of frames (basic, settable, programmable, additive ones) is one frame again:
+// Frame::operator*.
 //
-// Invariant   linear can be inverted and no scale is 0; a language asks invertible() before it hands a frame to Core.
+// Invariant   linear can be inverted and no scale is 0; a language asks invertible() before it
+//             hands a frame to Core.
 #pragma once
 #include <cstdint>
 
@@ -14,16 +18,17 @@
 namespace polyturn::channels {
 
 enum class GeoAxis : std::uint8_t { X, Y, Z };
-using Point3 = std::array<double, 3>;   // X Y Z
+using Point3 = std::array<double, 3>;  // X Y Z
 
 struct Frame {
-    std::array<Point3, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};   // rows
+    std::array<Point3, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
     Point3 shift{};
-    AxisValues scale = ones(), offset{};   // of the axes that are not X, Y, Z
+    AxisValues scale = ones(), offset{};  // of the axes that are not X, Y, Z
 
     static Frame translation(const Point3& by);
-    static Frame translation(unsigned place, double by);          // an axis that is none of X, Y, Z
-    static Frame rotation(GeoAxis about, double degrees);         // right-handed: Y to Z, Z to X, X to Y
+    static Frame translation(unsigned place, double by);  // an axis that is none of X, Y, Z
+    // right-handed: Y to Z, Z to X, X to Y
+    static Frame rotation(GeoAxis about, double degrees);
     static Frame scaling(const Point3& factors);
     static Frame scaling(unsigned place, double factor);
     static Frame mirror(bool x, bool y, bool z);
@@ -37,7 +42,8 @@ struct Frame {
     double determinant() const;
     Point3 map(const Point3& point) const;         // shift included
     Point3 direction(const Point3& vector) const;  // without it
-    Point3 axis(GeoAxis of) const;                 // where that direction points outside, times its scale
+    // where that direction points outside, times its scale
+    Point3 axis(GeoAxis of) const;
 
 private:
     static constexpr AxisValues ones() {

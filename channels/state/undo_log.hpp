@@ -1,5 +1,5 @@
-// What blocks that are not executed yet have changed for the channel itself: variables, offsets, zeros. When their records
-// are discarded it is all put back, newest first (architecture 5.4, 5.6).
+// What blocks that are not executed yet have changed for the channel itself: variables, offsets,
+// zeros. When their records are discarded it is all put back, newest first (architecture 5.4, 5.6).
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -14,10 +14,10 @@ public:
     void note(std::uint64_t block, double& cell) {
         if (enabled_) entries_.push_back({block, &cell, cell});
     }
-    void executed(std::uint64_t block) {   // blocks before `block` are done for good
+    void executed(std::uint64_t block) {  // blocks before `block` are done for good
         while (!entries_.empty() && entries_.front().block < block) entries_.pop_front();
     }
-    void back_to(std::uint64_t block) {    // `block` and everything behind it has not happened
+    void back_to(std::uint64_t block) {  // `block` and everything behind it has not happened
         while (!entries_.empty() && entries_.back().block >= block) {
             *entries_.back().cell = entries_.back().before;
             entries_.pop_back();

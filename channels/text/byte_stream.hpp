@@ -1,5 +1,6 @@
-// Bytes from or to something outside: a file, tcp:HOST:PORT or unix:PATH. For data that a program takes while it runs (G05, M198)
-// and for what it prints. Nothing here waits longer than it is told.
+// Bytes from or to something outside: a file, tcp:HOST:PORT or unix:PATH. For data that a program
+// takes while it runs (G05, M198) and for what it prints. Nothing here waits longer than it is
+// told.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,7 +10,7 @@ namespace polyturn::channels {
 
 class ByteStream {
 public:
-    enum class Open : unsigned char { ToRead, ToAppend };   // of a file; a socket is both
+    enum class Open : unsigned char { ToRead, ToAppend };  // of a file; a socket is both
     enum class Got : unsigned char { Data, Nothing, End, Error };
 
     ByteStream() = default;
@@ -17,7 +18,9 @@ public:
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;
 
-    static bool is_socket(std::string_view name) { return name.starts_with("tcp:") || name.starts_with("unix:"); }
+    static bool is_socket(std::string_view name) {
+        return name.starts_with("tcp:") || name.starts_with("unix:");
+    }
     // False: why() says in words of the system what is wrong.
     bool open(std::string_view name, Open how, int timeout_ms);
     bool is_open() const { return fd_ >= 0; }

@@ -87,10 +87,14 @@ Result<void> LineSource::open_text(std::string_view text, std::string_view name)
 }
 
 Result<void> LineSource::check_head() {
-    const auto byte = [this](std::size_t i) { return i < size_ ? static_cast<unsigned char>(data_[i]) : 0u; };
-    const bool mark16 = (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
+    const auto byte = [this](std::size_t i) {
+        return i < size_ ? static_cast<unsigned char>(data_[i]) : 0u;
+    };
+    const bool mark16 =
+        (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
     // ASCII saved as UTF-16 without a mark: every second byte is zero.
-    const bool bare16 = size_ >= 4 && ((byte(0) == 0 && byte(1) != 0 && byte(2) == 0) || (byte(1) == 0 && byte(0) != 0 && byte(3) == 0));
+    const bool bare16 = size_ >= 4 && ((byte(0) == 0 && byte(1) != 0 && byte(2) == 0) ||
+                                       (byte(1) == 0 && byte(0) != 0 && byte(3) == 0));
     if (mark16 || bare16) {
         close();
         return file_fault(Alarm::FileUtf16, name_, name_);
@@ -114,7 +118,8 @@ bool LineSource::refill() {
     cursor_ = 0;
     size_ = left;
     while (size_ < buffer_.size()) {
-        const ssize_t got = ::pread(fd_, buffer_.data() + size_, buffer_.size() - size_, static_cast<off_t>(base_ + size_));
+        const ssize_t got = ::pread(fd_, buffer_.data() + size_, buffer_.size() - size_,
+                                    static_cast<off_t>(base_ + size_));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) read_error_ = true;
         if (got <= 0) {
@@ -138,7 +143,7 @@ LineSource::Status LineSource::next(std::string_view& line) {
         std::size_t taken = end ? length + 1 : length;
         if (const void* cr = std::memchr(from, '\r', length)) {
             const auto at = static_cast<std::size_t>(static_cast<const char*>(cr) - from);
-            if (at + 1 < length || !end) taken = at + 1;   // a CR of its own ends the line too
+            if (at + 1 < length || !end) taken = at + 1;  // a CR of its own ends the line too
             length = at;
         }
         at_ = {base_ + cursor_, next_line_};

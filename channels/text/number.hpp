@@ -1,5 +1,6 @@
-// Reads one decimal number where it stands in a program: no copy, no locale, no allocation. Exact: up to 18 digits are
-// gathered as an integer and divided once by a power of ten, which rounds correctly below 2^53.
+// Reads one decimal number where it stands in a program: no copy, no locale, no allocation. Exact:
+// up to 18 digits are gathered as an integer and divided once by a power of ten, which rounds
+// correctly below 2^53.
 #pragma once
 #include <cstdint>
 
@@ -12,10 +13,11 @@ struct ScannedNumber {
     double value = 0.0;
 };
 
-inline constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                          1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 
-// [+-] digits [. digits]; blanks inside are no part of it. `at` is moved behind the number (behind the bad character
-// where the status is not Ok).
+// [+-] digits [. digits]; blanks inside are no part of it. `at` is moved behind the number (behind
+// the bad character where the status is not Ok).
 inline ScannedNumber scan_number(const char*& at, const char* end) {
     ScannedNumber result;
     const char* p = at;

@@ -8,7 +8,20 @@
 namespace polyturn::channels {
 namespace {
 
-enum class Kind : std::uint8_t { Other, Blank, Letter, Digit, Open, Slash, Semicolon, Percent, Hash, Comma, Colon, Name };
+enum class Kind : std::uint8_t {
+    Other,
+    Blank,
+    Letter,
+    Digit,
+    Open,
+    Slash,
+    Semicolon,
+    Percent,
+    Hash,
+    Comma,
+    Colon,
+    Name
+};
 
 constexpr std::array<Kind, 256> make_kinds() {
     std::array<Kind, 256> kinds{};
@@ -24,7 +37,8 @@ constexpr std::array<Kind, 256> make_kinds() {
     kinds['#'] = Kind::Hash;
     kinds[','] = Kind::Comma;
     kinds[':'] = Kind::Colon;
-    kinds['.'] = kinds['-'] = kinds['+'] = kinds['['] = kinds['='] = Kind::Digit;   // begin a value without address
+    // begin a value without address
+    kinds['.'] = kinds['-'] = kinds['+'] = kinds['['] = kinds['='] = Kind::Digit;
     return kinds;
 }
 constexpr auto kKinds = make_kinds();
@@ -33,8 +47,10 @@ Kind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
-ScanStop WordScanner::fail(Alarm alarm, const char* line, const char* at, std::size_t length, char letter) {
-    fault_ = {alarm, static_cast<std::uint16_t>(at - line + 1), static_cast<std::uint16_t>(length), letter};
+ScanStop WordScanner::fail(Alarm alarm, const char* line, const char* at, std::size_t length,
+                           char letter) {
+    fault_ = {alarm, static_cast<std::uint16_t>(at - line + 1), static_cast<std::uint16_t>(length),
+              letter};
     return ScanStop::Fault;
 }
 
@@ -43,7 +59,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
     const char* const end = line + text.size();
     const char* p = line + from;
     block.clear();
-    bool only_number = true;   // nothing but N so far: a macro statement may begin here
+    bool only_number = true;  // nothing but N so far: a macro statement may begin here
     for (;;) {
         while (p != end && (*p == ' ' || *p == '\t')) ++p;
         if (p == end) {
@@ -64,17 +80,20 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 unsigned number = 1;
                 if (p != end && *p >= '1' && *p <= '9') number = static_cast<unsigned>(*p++ - '0');
                 if (hook_->skip_sign_waits()) return ScanStop::NeedsBarrier;
-                if (hook_->block_skip(number)) {   // the rest of the block, which may not be that of the line
+                // the rest of the block, which may not be that of the line
+                if (hook_->block_skip(number)) {
                     while (p != end && *p != ';') p = *p == '(' ? std::find(p, end, ')') : p + 1;
                     stopped_at_ = static_cast<std::size_t>(p - line) + (p != end ? 1 : 0);
                     return ScanStop::Skipped;
                 }
                 continue;
             }
-            case Kind::Name: {   // M98 <NAME>
-                if (!hook_->takes_program_names) return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
+            case Kind::Name: {  // M98 <NAME>
+                if (!hook_->takes_program_names)
+                    return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
                 while (p != end && *p != '>') ++p;
-                if (p == end || p == begin + 1 || block.name_length) return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
+                if (p == end || p == begin + 1 || block.name_length)
+                    return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
                 block.name_from = static_cast<std::uint16_t>(begin + 1 - line);
                 block.name_length = static_cast<std::uint16_t>(p - begin - 1);
                 only_number = false;
@@ -99,12 +118,14 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 return fail(Alarm::AddressMissing, line, begin, 1);
             case Kind::Comma:
                 ++p;
-                if (p == end || kind_of(*p) != Kind::Letter) return fail(Alarm::CharacterUnknown, line, begin, 1, ',');
+                if (p == end || kind_of(*p) != Kind::Letter)
+                    return fail(Alarm::CharacterUnknown, line, begin, 1, ',');
                 comma = ',';
                 break;
             case Kind::Other:
                 return fail(Alarm::CharacterUnknown, line, begin, 1, *begin);
-            default: break;
+            default:
+                break;
         }
         if (block.count == Block::kMaxWords) return fail(Alarm::WordsTooMany, line, begin, 1);
         Word& word = block.words[block.count];
@@ -122,7 +143,8 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
         if (p != end && *p == '(') skip_comments(p, end);
         if (p != end && *p == '=' && (word.axis >= 0 || word.address == 'P')) ++p;
         if (p != end && word.axis < 0 && kind_of(*p) == Kind::Letter) {
-            // Two letters in a row: a control word of the macro language, or an address without a number.
+            // Two letters in a row: a control word of the macro language, or an address without a
+            // number.
             if (!only_number) return fail(Alarm::NumberMissing, line, begin, 1, word.address);
             stopped_at_ = static_cast<std::size_t>(begin - line);
             return ScanStop::Macro;
@@ -138,28 +160,36 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
             const bool negative = *p == '-';
             p = q;
             switch (hook_->read_value(p, end, value)) {
-                case ScanHook::Read::NeedsBarrier: return ScanStop::NeedsBarrier;
+                case ScanHook::Read::NeedsBarrier:
+                    return ScanStop::NeedsBarrier;
                 case ScanHook::Read::Fault: {
                     stopped_at_ = static_cast<std::size_t>(p - line);
-                    fault_ = {};   // the hook knows more
+                    fault_ = {};  // the hook knows more
                     return ScanStop::Fault;
                 }
                 case ScanHook::Read::Null:
-                    if (word.address == 'N' || word.address == 'O') return fail(Alarm::MacroFormat, line, begin, 1, word.address);
+                    if (word.address == 'N' || word.address == 'O')
+                        return fail(Alarm::MacroFormat, line, begin, 1, word.address);
                     only_number = false;
-                    if (word.axis < 0 && !comma && block.empty_count < block.empties.size()) block.empties[block.empty_count++] = {word.address, static_cast<std::uint8_t>(block.count)};
-                    continue;   // a word whose variable is empty does not exist
-                case ScanHook::Read::Value: break;
+                    if (word.axis < 0 && !comma && block.empty_count < block.empties.size())
+                        block.empties[block.empty_count++] = {
+                            word.address, static_cast<std::uint8_t>(block.count)};
+                    continue;  // a word whose variable is empty does not exist
+                case ScanHook::Read::Value:
+                    break;
             }
             word.value = negative ? -value : value;
         } else {
-            const bool apart = q > p + 1 && (*p == '-' || *p == '+') && q != end && ((*q >= '0' && *q <= '9') || *q == '.');   // X - 5
+            // X - 5
+            const bool apart = q > p + 1 && (*p == '-' || *p == '+') && q != end &&
+                               ((*q >= '0' && *q <= '9') || *q == '.');
             const bool turned = apart && *p == '-';
             if (apart) p = q;
             const ScannedNumber number = scan_number(p, end);
             word.from_expression = false;
             switch (number.status) {
-                case ScannedNumber::Status::Missing: return fail(Alarm::NumberMissing, line, begin, 1, word.address);
+                case ScannedNumber::Status::Missing:
+                    return fail(Alarm::NumberMissing, line, begin, 1, word.address);
                 case ScannedNumber::Status::SecondPoint:
                     if (word.address == 'P') {
                         while (p != end && ((*p >= '0' && *p <= '9') || *p == '.')) ++p;
@@ -167,8 +197,11 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                         break;
                     }
                     return fail(Alarm::SecondPoint, line, p, 1, word.address);
-                case ScannedNumber::Status::TooManyDigits: return fail(Alarm::DigitsTooMany, line, begin, static_cast<std::size_t>(p - begin), word.address);
-                case ScannedNumber::Status::Ok: break;
+                case ScannedNumber::Status::TooManyDigits:
+                    return fail(Alarm::DigitsTooMany, line, begin,
+                                static_cast<std::size_t>(p - begin), word.address);
+                case ScannedNumber::Status::Ok:
+                    break;
             }
             word.has_point = number.has_point;
             word.value = turned ? -number.value : number.value;
@@ -180,7 +213,8 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
         } else if (word.axis < 0) {
             if (word.address != 'N' && word.address != 'O') only_number = false;
             block.letters |= letter_bit(word.address);
-            block.last[static_cast<std::size_t>(word.address - 'A')] = static_cast<std::uint8_t>(block.count);
+            block.last[static_cast<std::size_t>(word.address - 'A')] =
+                static_cast<std::uint8_t>(block.count);
         } else {
             only_number = false;
         }

@@ -7,10 +7,10 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr double kMostLetters = 60;    // of a cell that are worth a wider column
+constexpr double kMostLetters = 60;  // of a cell that are worth a wider column
 constexpr double kLeastLetters = 4;
-constexpr double kCellRoom = 4;        // letters: between a word and the lines beside it
-constexpr double kPageLetters = 104;   // of a line of the page on a panel of 1280
+constexpr double kCellRoom = 4;       // letters: between a word and the lines beside it
+constexpr double kPageLetters = 104;  // of a line of the page on a panel of 1280
 
 bool rowOfTable(const QString& line) { return line.startsWith('|'); }
 
@@ -43,20 +43,27 @@ std::vector<double> sharesOf(const QStringList& rows) {
     for (const QString& row : rows) {
         if (row.contains("---")) continue;
         const QStringList cells = cellsOf(row);
-        least.resize(std::max(least.size(), static_cast<std::size_t>(cells.size())), kLeastLetters), wanted.resize(least.size(), kLeastLetters);
+        least.resize(std::max(least.size(), static_cast<std::size_t>(cells.size())), kLeastLetters);
+        wanted.resize(least.size(), kLeastLetters);
         for (qsizetype c = 0; c < cells.size(); ++c) {
             const QString text = shownText(cells[c]).trimmed();
             double word = 0;
-            for (const QString& one : text.split(' ')) word = std::max<double>(word, static_cast<double>(one.size()));
+            for (const QString& one : text.split(' '))
+                word = std::max<double>(word, static_cast<double>(one.size()));
             auto& low = least[static_cast<std::size_t>(c)];
             auto& much = wanted[static_cast<std::size_t>(c)];
-            low = std::max(low, word + kCellRoom), much = std::max(much, std::min(kMostLetters, static_cast<double>(text.size()) + 2));
+            low = std::max(low, word + kCellRoom);
+            much = std::max(much, std::min(kMostLetters, static_cast<double>(text.size()) + 2));
         }
     }
     double words = 0, more = 0;
-    for (std::size_t c = 0; c < wanted.size(); ++c) words += least[c], more += wanted[c] = std::max(0.0, wanted[c] - least[c]);
+    for (std::size_t c = 0; c < wanted.size(); ++c) {
+        words += least[c];
+        more += wanted[c] = std::max(0.0, wanted[c] - least[c]);
+    }
     const double spare = std::max(0.0, kPageLetters - words), all = words + (more > 0 ? spare : 0);
-    for (std::size_t c = 0; c < wanted.size(); ++c) wanted[c] = (least[c] + (more > 0 ? spare * wanted[c] / more : 0)) * 100 / all;
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+        wanted[c] = (least[c] + (more > 0 ? spare * wanted[c] / more : 0)) * 100 / all;
     return wanted;
 }
 
@@ -80,9 +87,14 @@ std::vector<HelpSlice> sliceHelp(const QString& markdown) {
             QStringList rows;
             for (; i < lines.size() && rowOfTable(lines[i]); ++i) rows << withEmptyCells(lines[i]);
             --i;
-            const std::vector<double> shares = rows.size() > kMostSliceRows + 2 ? sharesOf(rows) : std::vector<double>();
+            const std::vector<double> shares =
+                rows.size() > kMostSliceRows + 2 ? sharesOf(rows) : std::vector<double>();
             for (qsizetype from = 2; from == 2 || from < rows.size(); from += kMostSliceRows)
-                out.push_back({(rows.mid(0, 2) + rows.mid(from, kMostSliceRows)).join('\n') + '\n', shares, from > 2, {}, from + kMostSliceRows >= rows.size()});
+                out.push_back({(rows.mid(0, 2) + rows.mid(from, kMostSliceRows)).join('\n') + '\n',
+                               shares,
+                               from > 2,
+                               {},
+                               from + kMostSliceRows >= rows.size()});
             continue;
         }
         if (const auto picture = kPicture.match(line); !fenced && picture.hasMatch()) {
@@ -91,10 +103,16 @@ std::vector<HelpSlice> sliceHelp(const QString& markdown) {
             continue;
         }
         // Between paragraphs: not within a list or a block of code, whose lines belong together.
-        const bool apart = !fenced && line.trimmed().isEmpty() && i + 1 < lines.size() && !lines[i + 1].startsWith(' ') && !lines[i + 1].startsWith('\t');
+        const bool apart = !fenced && line.trimmed().isEmpty() && i + 1 < lines.size() &&
+                           !lines[i + 1].startsWith(' ') && !lines[i + 1].startsWith('\t');
         text << line;
-        if ((apart || (!fenced && i + 1 < lines.size() && lines[i + 1].startsWith('#'))) && text.size() >= kMostSliceLines / 2) flush();
-        else if (!fenced && text.size() >= kMostSliceLines && i + 1 < lines.size() && lines[i + 1].startsWith("- ")) flush();   // a long list: before its next item
+        if ((apart || (!fenced && i + 1 < lines.size() && lines[i + 1].startsWith('#'))) &&
+            text.size() >= kMostSliceLines / 2)
+            flush();
+        else if (!fenced && text.size() >= kMostSliceLines && i + 1 < lines.size() &&
+                 lines[i + 1].startsWith("- "))
+            // a long list: before its next item
+            flush();
     }
     flush();
     return out;
@@ -103,9 +121,14 @@ std::vector<HelpSlice> sliceHelp(const QString& markdown) {
 int sliceWith(const std::vector<HelpSlice>& slices, const QString& find, bool code) {
     if (find.isEmpty()) return -1;
     const QString quoted = QRegularExpression::escape(find);
-    const QRegularExpression wanted(code ? "(?<![\\w])" + quoted + "(?![\\w])" : quoted, code ? QRegularExpression::UseUnicodePropertiesOption : QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    const QRegularExpression wanted(code ? "(?<![\\w])" + quoted + "(?![\\w])" : quoted,
+                                    code ? QRegularExpression::UseUnicodePropertiesOption
+                                         : QRegularExpression::CaseInsensitiveOption |
+                                               QRegularExpression::UseUnicodePropertiesOption);
     for (std::size_t i = 0; i < slices.size(); ++i)
-        if (slices[i].picture.isEmpty() && wanted.match(shownText(slices[i].markdown).simplified()).hasMatch()) return static_cast<int>(i);
+        if (slices[i].picture.isEmpty() &&
+            wanted.match(shownText(slices[i].markdown).simplified()).hasMatch())
+            return static_cast<int>(i);
     return -1;
 }
 
@@ -114,8 +137,10 @@ int splitAt(std::vector<HelpSlice>& slices, int slice, const QString& find) {
     const QStringList lines = slices[static_cast<std::size_t>(slice)].markdown.split('\n');
     qsizetype at = 0;
     while (at < lines.size() && !shownText(lines[at]).contains(find, Qt::CaseInsensitive)) ++at;
-    if (at == lines.size()) return slice;      // over the end of a line
-    while (at > 0 && !lines[at].startsWith('#') && !lines[at].startsWith("- ") && !lines[at - 1].trimmed().isEmpty()) --at;
+    if (at == lines.size()) return slice;  // over the end of a line
+    while (at > 0 && !lines[at].startsWith('#') && !lines[at].startsWith("- ") &&
+           !lines[at - 1].trimmed().isEmpty())
+        --at;
     if (lines.mid(0, at).join("").trimmed().isEmpty()) return slice;
     slices[static_cast<std::size_t>(slice)].markdown = lines.mid(at).join('\n');
     slices.insert(slices.begin() + slice, {lines.mid(0, at).join('\n') + '\n', {}, false, {}});

@@ -1,4 +1,5 @@
-// One screen of the HMI, and what all screens share. A screen shows (refresh), offers soft keys (keys), takes keys of its own.
+// One screen of the HMI, and what all screens share. A screen shows (refresh), offers soft keys
+// (keys), takes keys of its own.
 #pragma once
 #include <QKeyEvent>
 #include <QString>
@@ -6,86 +7,99 @@
 #include <functional>
 #include <vector>
 
-#include "hmi/machine/alarm_book.hpp"
-#include "hmi/machine/draft.hpp"
-#include "hmi/machine/kept_pieces.hpp"
-#include "hmi/machine/live.hpp"
-#include "hmi/machine/requests.hpp"
-#include "hmi/text/tongues.hpp"
+#include "hmi/machine/bodies/kept_pieces.hpp"
+#include "hmi/machine/live/alarm_log.hpp"
+#include "hmi/machine/live/live.hpp"
+#include "hmi/machine/live/requests.hpp"
+#include "hmi/machine/programs/draft.hpp"
+#include "hmi/text/display_languages.hpp"
 #include "hmi/widgets/sheet.hpp"
 #include "hmi/widgets/text_entry.hpp"
 
 namespace polyturn::hmi {
 
 struct SoftKey {
-    QString text;                     // empty: no key here
+    QString text;  // empty: no key here
     std::function<void()> act;
     Sign sign = Sign::None;
     bool enabled = true;
-    bool on = false;                  // a switch that is on
+    bool on = false;  // a switch that is on
     bool danger = false;
-    QString confirm = {};             // not empty: the first press shows this, the second one acts
-    std::function<void()> release = {};   // acts while it is held: this ends it
-    QString subject = {};             // what a key with a question acts on, whole: with another one the first press asked something else
-    QString object = {};              // of it, what the question shows; of a key without one, what stands beside its sign
+    QString confirm = {};  // not empty: the first press shows this, the second one acts
+    std::function<void()> release = {};  // acts while it is held: this ends it
+    // what a key with a question acts on, whole: with another one the first press asked something
+    // else
+    QString subject = {};
+    // of it, what the question shows; of a key without one, what stands beside its sign
+    QString object = {};
 };
 
-// What the help key opens: a page of the manual, the words there, and what can be told of the field itself (markdown).
+// What the help key opens: a page of the manual, the words there, and what can be told of the field
+// itself (markdown).
 struct HelpTopic {
     QString page, find, intro;
-    bool code = false;                // find a word of a program: whole, and as it is written
+    bool code = false;  // find a word of a program: whole, and as it is written
 };
 
-inline constexpr int kOffsetsScreen = 3;   // Desk::show(): its place in screen_list.cpp
+inline constexpr int kOffsetsScreen = 3;  // Desk::show(): its place in screen_list.cpp
 
 enum class Told : std::uint8_t { Note, Good, Refused };
 
 // What every screen may use.
-struct Desk {
+struct Context {
     Live& live;
     Requests& requests;
-    AlarmBook& alarms;
-    unsigned channel = 1;                                      // the one that keys speak to
-    std::function<void(const QString&, Told)> tell = {};       // a line for the operator
+    AlarmLog& alarms;
+    unsigned channel = 1;                                 // the one that keys speak to
+    std::function<void(const QString&, Told)> tell = {};  // a line for the operator
     std::function<void()> keysChanged = {};
-    std::function<void(int)> show = {};                        // another screen, by its number
-    std::function<void(TextQuestion)> ask = {};                // a text, by touch or keyboard
-    QString folder = {};                                       // of the programs shown last
-    Draft draft = {};                                          // what an editor that is gone has left
-    QString draftFile = {};                                    // where it is kept; empty: nowhere
-    std::int32_t toolOfOffsets = 0, edgeOfOffsets = 0;          // whose line the screen of offsets goes to when it is shown next; 0: none
-    KeptPieces kept = {};                                      // of what screens show
-    void choose(unsigned wanted);                              // the channel, if there is such a one
+    std::function<void(int)> show = {};          // another screen, by its number
+    std::function<void(TextQuestion)> ask = {};  // a text, by touch or keyboard
+    QString folder = {};                         // of the programs shown last
+    // what an editor that is gone has left
+    Draft draft = {};
+    QString draftFile = {};  // where it is kept; empty: nowhere
+    // whose line the screen of offsets goes to when it is shown next; 0: none
+    std::int32_t toolOfOffsets = 0, edgeOfOffsets = 0;
+    KeptPieces kept = {};  // of what screens show
+    // the channel, if there is such a one
+    void choose(unsigned wanted);
 };
 
-// One request for all channels of a machine group (0: of the machine); who has nothing to begin is named, and left alone.
-void startGroup(Desk& desk, unsigned group);
+// One request for all channels of a machine group (0: of the machine); who has nothing to begin is
+// named, and left alone.
+void startGroup(Context& context, unsigned group);
 
 class Screen : public QWidget {
 public:
-    explicit Screen(Desk& desk) : desk_(desk) {}
+    explicit Screen(Context& context) : context_(context) {}
     virtual QString title() const = 0;
     virtual Sign sign() const = 0;
-    virtual const char* name() const = 0;                      // in what is kept over a restart
+    virtual const char* name() const = 0;  // in what is kept over a restart
     virtual std::vector<SoftKey> keys() = 0;
-    virtual void refresh() = 0;                                // each frame while it is shown
-    virtual void follow() {}                                   // each frame, shown or not
-    virtual void rebuilt() {}                                  // another machine, or none
+    virtual void refresh() = 0;  // each frame while it is shown
+    virtual void follow() {}     // each frame, shown or not
+    virtual void rebuilt() {}    // another machine, or none
     virtual bool key(QKeyEvent*) { return false; }
-    virtual bool keyReleased(QKeyEvent*) { return false; }     // of keys that act as long as they are held
-    virtual void letGo() {}                                    // of everything that is held: the panel is locked
-    virtual bool typing() const { return false; }              // digits and letters belong to a field now
-    virtual QString state() const { return {}; }               // where in the screen, to be kept
+    // of keys that act as long as they are held
+    virtual bool keyReleased(QKeyEvent*) { return false; }
+    // of everything that is held: the panel is locked
+    virtual void letGo() {}
+    // digits and letters belong to a field now
+    virtual bool typing() const { return false; }
+    virtual QString state() const { return {}; }  // where in the screen, to be kept
     virtual void restore(const QString&) {}
-    virtual void leave() {}                                    // it will be made anew: what state() does not hold goes to the desk
-    virtual int pages() const { return 1; }                    // for pictures of all of it
+    // it will be made anew: what state() does not hold goes to the desk
+    virtual void leave() {}
+    virtual int pages() const { return 1; }  // for pictures of all of it
     virtual void turnTo(int /*page*/) {}
-    virtual HelpTopic help() const { return {"operator.md", title(), {}}; }   // of what is chosen
-    virtual bool busy() const { return false; }                // what it shows is still being made
-    virtual std::vector<Sheet*> sheets() { return {}; }        // for the test that looks for shortened words
+    virtual HelpTopic help() const { return {"operator.md", title(), {}}; }  // of what is chosen
+    virtual bool busy() const { return false; }  // what it shows is still being made
+    // for the test that looks for shortened words
+    virtual std::vector<Sheet*> sheets() { return {}; }
 
 protected:
-    Desk& desk_;
+    Context& context_;
 };
 
 }  // namespace polyturn::hmi

@@ -8,7 +8,7 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kMostWaitMs = 60'000;   // for a dry run
+constexpr int kMostWaitMs = 60'000;  // for a dry run
 
 void letRun(int ms) {
     QElapsedTimer time;
@@ -23,12 +23,12 @@ int saveScreenshots(Choices choices, QSize size, const QString& folder, const QS
         std::fprintf(stderr, "polyturn-hmi: cannot make the folder %s\n", qPrintable(folder));
         return 1;
     }
-    const auto language = tongue_of(choices.language);
+    const auto language = display_language_of(choices.language);
     const std::string dressed = choices.theme;
     MainWindow window(choices);
     window.resize(size);
     window.show();
-    letRun(900);   // alarms have come, pictures have been read
+    letRun(900);  // alarms have come, pictures have been read
     QString dress;
     const auto save = [&](const QString& name) {
         const QString file = QString("%1/%2-%3-%4.png").arg(folder, name, codeOf(spoken()), dress);
@@ -36,9 +36,9 @@ int saveScreenshots(Choices choices, QSize size, const QString& folder, const QS
         std::fprintf(stderr, "polyturn-hmi: cannot write %s\n", qPrintable(file));
         return false;
     };
-    for (const Tongue tongue : kTongues) {
-        if (!choices.language.empty() && language != tongue) continue;
-        window.setTongue(tongue);
+    for (const DisplayLanguage display_language : kDisplayLanguages) {
+        if (!choices.language.empty() && language != display_language) continue;
+        window.setDisplayLanguage(display_language);
         for (const bool dark : {true, false}) {
             if (!dressed.empty() && (dressed == "dark") != dark) continue;
             window.setDark(dark);
@@ -54,7 +54,9 @@ int saveScreenshots(Choices choices, QSize size, const QString& folder, const QS
                     if (only.contains('-') && name != only) continue;
                     window.screen()->turnTo(page);
                     letRun(60);
-                    for (int waited = 0; window.screen()->busy() && waited < kMostWaitMs; waited += 100) letRun(100);
+                    for (int waited = 0; window.screen()->busy() && waited < kMostWaitMs;
+                         waited += 100)
+                        letRun(100);
                     letRun(40);
                     if (!save(name)) return 1;
                 }
@@ -63,7 +65,7 @@ int saveScreenshots(Choices choices, QSize size, const QString& folder, const QS
             window.showScreen(0);
             for (const auto& [over, name] : MainWindow::kOvers) {
                 if (!QString(name).startsWith(only) || !window.showOver(over)) continue;
-                letRun(300);   // a page of the manual is laid out piece by piece
+                letRun(300);  // a page of the manual is laid out piece by piece
                 if (!save(name)) return 1;
             }
             window.showOver(MainWindow::Over::Screen);

@@ -1,4 +1,5 @@
-// A picture of each screen in each language and theme (or the one that is asked for), as the manual and reviews use them.
+// A picture of each screen in each language and theme (or the one that is asked for), as the manual
+// and reviews use them.
 #pragma once
 #include "hmi/app/main_window.hpp"
 

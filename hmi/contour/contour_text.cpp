@@ -10,17 +10,21 @@ namespace {
 
 using Language = Writing::Language;
 
-constexpr double kMostSweep = 170;   // degrees of one arc block
+constexpr double kMostSweep = 170;  // degrees of one arc block
 
-std::string comment(const std::string& text, const Writing& writing) { return writing.language == Language::Family ? "(" + text + ")" : ";" + text; }
+std::string comment(const std::string& text, const Writing& writing) {
+    return writing.language == Language::Family ? "(" + text + ")" : ";" + text;
+}
 
 // What stands in a comment that is the whole line; nothing: it is no such line.
 std::optional<std::string> comment_of(std::string line) {
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '\t')) line.pop_back();
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '\t'))
+        line.pop_back();
     std::size_t from = 0;
     while (from < line.size() && (line[from] == ' ' || line[from] == '\t')) ++from;
     line.erase(0, from);
-    if (line.size() >= 2 && line.front() == '(' && line.back() == ')') return line.substr(1, line.size() - 2);
+    if (line.size() >= 2 && line.front() == '(' && line.back() == ')')
+        return line.substr(1, line.size() - 2);
     if (!line.empty() && line.front() == ';') return line.substr(1);
     return std::nullopt;
 }
@@ -55,31 +59,40 @@ std::optional<Token> token_of(const std::string& word) {
     return out;
 }
 
-// The data of an element with their names in a description; X data are doubled where X is a diameter.
+// The data of an element with their names in a description; X data are doubled where X is a
+// diameter.
 struct Datum {
     const char* name;
     std::optional<double> Element::*value;
     bool x;
 };
-constexpr Datum kData[] = {{"Z", &Element::z, false}, {"X", &Element::x, true}, {"DZ", &Element::dz, false}, {"DX", &Element::dx, false}, {"L", &Element::length, false},
-                           {"A", &Element::angle, false}, {"R", &Element::radius, false}, {"CZ", &Element::centre_z, false}, {"CX", &Element::centre_x, true},
-                           {"E", &Element::end_angle, false}, {"S", &Element::sweep, false}};
+constexpr Datum kData[] = {{"Z", &Element::z, false},        {"X", &Element::x, true},
+                           {"DZ", &Element::dz, false},      {"DX", &Element::dx, false},
+                           {"L", &Element::length, false},   {"A", &Element::angle, false},
+                           {"R", &Element::radius, false},   {"CZ", &Element::centre_z, false},
+                           {"CX", &Element::centre_x, true}, {"E", &Element::end_angle, false},
+                           {"S", &Element::sweep, false}};
 
 std::string shortest(double value) {
     char buffer[40];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
     std::string out(buffer, end);
-    return out.find('e') == std::string::npos ? out : number(value, 9, false);   // no sign but digits, point, minus
+    // no sign but digits, point, minus
+    return out.find('e') == std::string::npos ? out : number(value, 9, false);
 }
 
 bool read_element(const std::string& text, Element& out, bool diameter) {
     std::istringstream words(text);
     std::string word;
     words >> word;
-    if (word == "LINE") out.kind = Kind::Line;
-    else if (word == "CW") out.kind = Kind::ArcCw;
-    else if (word == "CCW") out.kind = Kind::ArcCcw;
-    else return false;
+    if (word == "LINE")
+        out.kind = Kind::Line;
+    else if (word == "CW")
+        out.kind = Kind::ArcCw;
+    else if (word == "CCW")
+        out.kind = Kind::ArcCcw;
+    else
+        return false;
     while (words >> word) {
         const auto token = token_of(word);
         if (!token) return false;
@@ -90,10 +103,22 @@ bool read_element(const std::string& text, Element& out, bool diameter) {
         if (!token->value) return false;
         bool known = false;
         for (const Datum& datum : kData)
-            if (token->name == datum.name) out.*datum.value = *token->value * (datum.x && diameter ? 0.5 : 1.0), known = true;
-        if (token->name == "CH") out.chamfer = *token->value, known = true;
-        if (token->name == "RD") out.round = *token->value, known = true;
-        if (token->name == "SOL") out.solution = static_cast<int>(*token->value), known = true;
+            if (token->name == datum.name) {
+                out.*datum.value = *token->value * (datum.x && diameter ? 0.5 : 1.0);
+                known = true;
+            }
+        if (token->name == "CH") {
+            out.chamfer = *token->value;
+            known = true;
+        }
+        if (token->name == "RD") {
+            out.round = *token->value;
+            known = true;
+        }
+        if (token->name == "SOL") {
+            out.solution = static_cast<int>(*token->value);
+            known = true;
+        }
         if (!known) return false;
     }
     return true;
@@ -118,7 +143,11 @@ Place find_contour(const std::vector<std::string>& lines, int line) {
     if (from < 0) return place;
     place.from = from;
     for (int to = from + 1; to < count; ++to) {
-        if (text(to) == "CONTOUR END") return place.to = to, place.complete = true, place;
+        if (text(to) == "CONTOUR END") {
+            place.to = to;
+            place.complete = true;
+            return place;
+        }
         if (begins(to)) break;
     }
     // Without its end only the description belongs to it.
@@ -127,7 +156,8 @@ Place find_contour(const std::vector<std::string>& lines, int line) {
     return line <= place.to ? place : Place{};
 }
 
-std::optional<Description> read_contour(const std::vector<std::string>& lines, const Place& place, const Writing& writing, int* fault_line) {
+std::optional<Description> read_contour(const std::vector<std::string>& lines, const Place& place,
+                                        const Writing& writing, int* fault_line) {
     Description out;
     bool diameter = writing.diameter;
     const auto fail = [&](int line) {
@@ -153,23 +183,32 @@ std::optional<Description> read_contour(const std::vector<std::string>& lines, c
             const auto token = token_of(word);
             if (!token) return fail(at);
             const double value = token->value.value_or(0.0);
-            if (token->name == "Z") out.contour.start.z = value;
-            else if (token->name == "X") out.contour.start.x = value * (diameter ? 0.5 : 1.0);
-            else if (token->name == "G") out.approach = value == 0 ? 2 : 1;
-            else if (token->name == "FIRST") out.first = static_cast<long>(value);
-            else if (token->name == "LAST") out.last = static_cast<long>(value);
-            else if (token->name != "DIA") return fail(at);
+            if (token->name == "Z")
+                out.contour.start.z = value;
+            else if (token->name == "X")
+                out.contour.start.x = value * (diameter ? 0.5 : 1.0);
+            else if (token->name == "G")
+                out.approach = value == 0 ? 2 : 1;
+            else if (token->name == "FIRST")
+                out.first = static_cast<long>(value);
+            else if (token->name == "LAST")
+                out.last = static_cast<long>(value);
+            else if (token->name != "DIA")
+                return fail(at);
         }
     }
     return out;
 }
 
-std::vector<std::string> blocks_of(const Description& description, const Solved& solved, const Writing& w) {
+std::vector<std::string> blocks_of(const Description& description, const Solved& solved,
+                                   const Writing& w) {
     std::vector<std::string> out;
     const bool family = w.language == Language::Family;
     const auto n = [&](double value) { return number(value, w.decimals, family); };
     const auto x_of = [&](double radius) { return n(w.diameter ? 2 * radius : radius); };
-    const auto round = [&](double value) { return std::round(value * std::pow(10.0, w.decimals)) / std::pow(10.0, w.decimals); };
+    const auto round = [&](double value) {
+        return std::round(value * std::pow(10.0, w.decimals)) / std::pow(10.0, w.decimals);
+    };
     int motion = -1;
     Point at{std::nan(""), std::nan("")};
     const auto block = [&](int code, Point to, const std::string& more) {
@@ -180,31 +219,43 @@ std::vector<std::string> blocks_of(const Description& description, const Solved&
         if (!(round(to.x) == round(at.x))) add("X" + x_of(to.x));
         if (!(round(to.z) == round(at.z))) add("Z" + n(to.z));
         if (!more.empty()) add(more);
-        motion = code, at = to;
+        motion = code;
+        at = to;
         out.push_back(line);
     };
-    if (description.approach) block(description.approach == 2 ? 0 : 1, description.contour.start, {});
-    else at = description.contour.start;
+    if (description.approach)
+        block(description.approach == 2 ? 0 : 1, description.contour.start, {});
+    else
+        at = description.contour.start;
     for (const Piece& p : solved.pieces) {
         if (p.kind == Kind::Line) {
-            if (round(p.to.x) == round(at.x) && round(p.to.z) == round(at.z)) continue;   // shorter than what can be written
+            // shorter than what can be written
+            if (round(p.to.x) == round(at.x) && round(p.to.z) == round(at.z)) continue;
             block(1, p.to, {});
             continue;
         }
-        // A radius fits whatever the rounding of the points, but near the half circle: larger arcs are cut in equal ones.
+        // A radius fits whatever the rounding of the points, but near the half circle: larger arcs
+        // are cut in equal ones.
         const int parts = std::max(1, static_cast<int>(std::ceil(p.sweep / kMostSweep)));
-        const double from = std::atan2(p.from.x - p.centre.x, p.from.z - p.centre.z), turn = (p.kind == Kind::ArcCcw ? 1 : -1) * p.sweep * M_PI / 180 / parts;
+        const double from = std::atan2(p.from.x - p.centre.x, p.from.z - p.centre.z),
+                     turn = (p.kind == Kind::ArcCcw ? 1 : -1) * p.sweep * M_PI / 180 / parts;
         for (int k = 1; k <= parts; ++k) {
-            const Point to = k == parts ? p.to : Point{p.centre.z + p.radius * std::cos(from + k * turn), p.centre.x + p.radius * std::sin(from + k * turn)};
-            block(p.kind == Kind::ArcCw ? 2 : 3, to, (w.language == Language::Sinumerik ? "CR=" : "R") + n(p.radius));
+            const Point to = k == parts ? p.to
+                                        : Point{p.centre.z + p.radius * std::cos(from + k * turn),
+                                                p.centre.x + p.radius * std::sin(from + k * turn)};
+            block(p.kind == Kind::ArcCw ? 2 : 3, to,
+                  (w.language == Language::Sinumerik ? "CR=" : "R") + n(p.radius));
         }
     }
-    if (!out.empty() && description.first > 0) out.front() = "N" + std::to_string(description.first) + " " + out.front();
-    if (out.size() > 1 && description.last > 0) out.back() = "N" + std::to_string(description.last) + " " + out.back();
+    if (!out.empty() && description.first > 0)
+        out.front() = "N" + std::to_string(description.first) + " " + out.front();
+    if (out.size() > 1 && description.last > 0)
+        out.back() = "N" + std::to_string(description.last) + " " + out.back();
     return out;
 }
 
-std::vector<std::string> write_contour(const Description& d, const Solved& solved, const Writing& w) {
+std::vector<std::string> write_contour(const Description& d, const Solved& solved,
+                                       const Writing& w) {
     std::vector<std::string> out;
     const double scale = w.diameter ? 2.0 : 1.0;
     std::string head = "CONTOUR";
@@ -218,7 +269,8 @@ std::vector<std::string> write_contour(const Description& d, const Solved& solve
         std::string text = e.kind == Kind::Line ? "LINE" : e.kind == Kind::ArcCw ? "CW" : "CCW";
         if (e.tangent) text += " T";
         for (const Datum& datum : kData)
-            if (const auto& value = e.*datum.value) text += std::string(" ") + datum.name + shortest(*value * (datum.x ? scale : 1.0));
+            if (const auto& value = e.*datum.value)
+                text += std::string(" ") + datum.name + shortest(*value * (datum.x ? scale : 1.0));
         if (e.chamfer > 0) text += " CH" + shortest(e.chamfer);
         if (e.round > 0) text += " RD" + shortest(e.round);
         if (e.solution) text += " SOL" + std::to_string(e.solution);

@@ -27,7 +27,8 @@ double norm360(double degrees) {
     return out < 0 ? out + 360.0 : out;
 }
 
-Group::Group(const Contour& contour, std::size_t first, std::size_t last, Point from, std::optional<double> before)
+Group::Group(const Contour& contour, std::size_t first, std::size_t last, Point from,
+             std::optional<double> before)
     : contour_(&contour), first_(first), last_(last), from_(from), before_(before) {
     count();
 }
@@ -41,18 +42,24 @@ void Group::count() {
         const bool line = e.kind == Kind::Line;
         unknowns_ += line ? 2 : 4;
         for (const auto& one : {e.z, e.x, e.dz, e.dx, e.angle}) equations_ += one.has_value();
-        if (line) equations_ += e.length.has_value();
+        if (line)
+            equations_ += e.length.has_value();
         else {
             equations_ += e.sweep ? 2 : 1;
-            for (const auto& one : {e.radius, e.centre_z, e.centre_x, e.end_angle}) equations_ += one.has_value();
+            for (const auto& one : {e.radius, e.centre_z, e.centre_x, e.end_angle})
+                equations_ += one.has_value();
         }
         equations_ += told_tangent(i);
-        look(e.z, from_.z), look(e.x, from_.x), look(e.centre_z, from_.z), look(e.centre_x, from_.x);
+        look(e.z, from_.z);
+        look(e.x, from_.x);
+        look(e.centre_z, from_.z);
+        look(e.centre_x, from_.x);
         for (const auto& one : {e.dz, e.dx, e.length, e.radius}) look(one, 0.0);
     }
 }
 
-// A direction that is told as well is not told twice: it may be rounded, or follow badly from what lies before.
+// A direction that is told as well is not told twice: it may be rounded, or follow badly from what
+// lies before.
 bool Group::told_tangent(std::size_t i) const {
     const Element& e = contour_->elements[i];
     if (!e.tangent || (i == first_ && !before_)) return false;
@@ -83,8 +90,10 @@ Eigen::VectorXd Group::residuals(const Eigen::VectorXd& u) const {
             const Vec centre(u[k + 2], u[k + 3]), a = start - centre, b = end - centre;
             if (e.sweep) {
                 const double turn = (e.kind == Kind::ArcCcw ? 1 : -1) * *e.sweep * kRadian;
-                const Vec there(a.x() * std::cos(turn) - a.y() * std::sin(turn), a.x() * std::sin(turn) + a.y() * std::cos(turn));
-                put(there.x() - b.x()), put(there.y() - b.y());
+                const Vec there(a.x() * std::cos(turn) - a.y() * std::sin(turn),
+                                a.x() * std::sin(turn) + a.y() * std::cos(turn));
+                put(there.x() - b.x());
+                put(there.y() - b.y());
             } else {
                 put(a.norm() - b.norm());
             }
@@ -113,7 +122,8 @@ bool Group::fits(const Eigen::VectorXd& u) const {
         const bool tangent = told_tangent(i), line = e.kind == Kind::Line;
         const Vec centre = line ? Vec(0, 0) : Vec(u[k + 2], u[k + 3]);
         if (!line && (start - centre).norm() < 1e-4) return false;
-        const Vec in = line ? Vec(end - start) : along(e.kind, centre, start), last = line ? in : along(e.kind, centre, end);
+        const Vec in = line ? Vec(end - start) : along(e.kind, centre, start),
+                  last = line ? in : along(e.kind, centre, end);
         if (e.angle && !same_way(unit(*e.angle), in)) return false;
         if (tangent && !same_way(way, in)) return false;
         if (!line && e.end_angle && !same_way(unit(*e.end_angle), last)) return false;
@@ -139,7 +149,9 @@ std::vector<Piece> Group::pieces(const Eigen::VectorXd& u) const {
         } else {
             piece.centre = {u[k + 2], u[k + 3]};
             piece.radius = std::hypot(piece.from.z - piece.centre.z, piece.from.x - piece.centre.x);
-            const double a = std::atan2(piece.from.x - piece.centre.x, piece.from.z - piece.centre.z), b = std::atan2(piece.to.x - piece.centre.x, piece.to.z - piece.centre.z);
+            const double a = std::atan2(piece.from.x - piece.centre.x,
+                                        piece.from.z - piece.centre.z),
+                         b = std::atan2(piece.to.x - piece.centre.x, piece.to.z - piece.centre.z);
             piece.sweep = norm360((piece.kind == Kind::ArcCcw ? b - a : a - b) / kRadian);
             k += 4;
         }
@@ -149,11 +161,14 @@ std::vector<Piece> Group::pieces(const Eigen::VectorXd& u) const {
     return out;
 }
 
-// As told where it is told; elsewhere anywhere within reach. Half of the beginnings follow the directions that are told or tangential.
+// As told where it is told; elsewhere anywhere within reach. Half of the beginnings follow the
+// directions that are told or tangential.
 Eigen::VectorXd Group::begin(unsigned seed) const {
     std::uint32_t state = seed * 2654435761u + 12345u;
-    const auto chance = [&] {   // -1 to 1
-        state ^= state << 13, state ^= state >> 17, state ^= state << 5;
+    const auto chance = [&] {  // -1 to 1
+        state ^= state << 13;
+        state ^= state >> 17;
+        state ^= state << 5;
         return state / 2147483648.0 - 1.0;
     };
     const double reach = size_ * (seed % 3 == 0 ? 3.0 : seed % 3 == 1 ? 1.5 : 0.5);
@@ -164,31 +179,40 @@ Eigen::VectorXd Group::begin(unsigned seed) const {
     std::optional<double> way = before_;
     for (std::size_t i = first_; i <= last_; ++i) {
         const Element& e = contour_->elements[i];
-        const std::optional<double> in = e.angle ? e.angle : follows && e.tangent ? way : std::nullopt;
+        const std::optional<double> in = e.angle                ? e.angle
+                                         : follows && e.tangent ? way
+                                                                : std::nullopt;
         const double heads = in ? *in : 180 * chance();
         Vec end = start + unit(heads) * std::fabs(reach * chance());
         if (e.kind == Kind::Line && e.length) end = start + unit(heads) * *e.length;
         Vec centre(0, 0);
         const int side = e.kind == Kind::ArcCcw ? 1 : -1;
         if (e.kind != Kind::Line) {
-            centre = start + unit(heads + side * 90) * (e.radius ? *e.radius : std::fabs(reach * chance()));
-            const double sweep = e.sweep ? *e.sweep : follows && e.end_angle ? norm360(side * (*e.end_angle - heads)) : 180 * (1 + chance());
+            centre = start +
+                     unit(heads + side * 90) * (e.radius ? *e.radius : std::fabs(reach * chance()));
+            const double sweep = e.sweep                  ? *e.sweep
+                                 : follows && e.end_angle ? norm360(side * (*e.end_angle - heads))
+                                                          : 180 * (1 + chance());
             const Vec a = start - centre;
             const double t = side * sweep * kRadian;
-            end = centre + Vec(a.x() * std::cos(t) - a.y() * std::sin(t), a.x() * std::sin(t) + a.y() * std::cos(t));
+            end = centre + Vec(a.x() * std::cos(t) - a.y() * std::sin(t),
+                               a.x() * std::sin(t) + a.y() * std::cos(t));
         }
         if (e.dz) end.x() = start.x() + *e.dz;
         if (e.dx) end.y() = start.y() + *e.dx;
         if (e.z) end.x() = *e.z;
         if (e.x) end.y() = *e.x;
-        u[k] = end.x(), u[k + 1] = end.y();
+        u[k] = end.x();
+        u[k + 1] = end.y();
         if (e.kind != Kind::Line) {
             if (e.centre_z) centre.x() = *e.centre_z;
             if (e.centre_x) centre.y() = *e.centre_x;
-            u[k + 2] = centre.x(), u[k + 3] = centre.y();
+            u[k + 2] = centre.x();
+            u[k + 3] = centre.y();
         }
         const Vec last = e.kind == Kind::Line ? Vec(end - start) : along(e.kind, centre, end);
-        way = e.kind != Kind::Line && e.end_angle ? *e.end_angle : std::atan2(last.y(), last.x()) / kRadian;
+        way = e.kind != Kind::Line && e.end_angle ? *e.end_angle
+                                                  : std::atan2(last.y(), last.x()) / kRadian;
         k += e.kind == Kind::Line ? 2 : 4;
         start = end;
     }

@@ -7,7 +7,7 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kDeepest = 32;   // brackets in brackets
+constexpr int kDeepest = 32;  // brackets in brackets
 
 //   sum     = product { (+|-) product }      product = factor { (*|/) factor }      factor = [+|-] (number | "(" sum ")")
 class Reader {
@@ -80,7 +80,7 @@ private:
 std::optional<Entry> calculate(std::string_view text) {
     std::string plain(text);
     for (char& letter : plain)
-        if (letter == ',') letter = '.';   // as half of Europe writes it
+        if (letter == ',') letter = '.';  // as half of Europe writes it
     std::size_t from = plain.find_first_not_of(' ');
     if (from == std::string::npos) return std::nullopt;
     Entry entry;

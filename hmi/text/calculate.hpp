@@ -1,4 +1,5 @@
-// What an operator may type into any number field: 50/2, 2*(3+1.5), -0,02; and +0.05, which is added to what stands there.
+// What an operator may type into any number field: 50/2, 2*(3+1.5), -0,02; and +0.05, which is
+// added to what stands there.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -6,7 +7,7 @@
 namespace polyturn::hmi {
 
 struct Entry {
-    bool added = false;   // began with «+»: is added to the present value
+    bool added = false;  // began with «+»: is added to the present value
     double value = 0.0;
     double over(double present) const { return added ? present + value : value; }
 };

@@ -1,5 +1,5 @@
-// What the controller has told with a number (an alarm of the log, a refusal, a fault of a check), in the language of the screens: its
-// processes speak the machine's language, logs speak English.
+// What the controller has told with a number (an alarm of the log, a refusal, a fault of a check),
+// in the language of the screens: its processes speak the machine's language, logs speak English.
 #pragma once
 #include <QString>
 
@@ -9,7 +9,7 @@ namespace polyturn::hmi {
 
 struct RetoldWords {
     QString text, remedy;
-    bool found = false;      // no row of that number reads so: the text is as it was
+    bool found = false;  // no row of that number reads so: the text is as it was
 };
 RetoldWords retold(const QString& number, const QString& text);
 // As the control's manual writes it: 020, where a log has the number 20.

@@ -4,6 +4,7 @@
 
 namespace polyturn::hmi {
 
-inline constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;   // where numbers stand in their column, so that their digits are below each other
+// where numbers stand in their column, so that their digits are below each other
+inline constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 
 }  // namespace polyturn::hmi

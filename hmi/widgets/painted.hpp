@@ -1,5 +1,6 @@
-// Words that a picture carries beside the sheets (plots, drawings). All of them are written here, so that tests hear them as they read
-// the items of sheets: none in another language, none that does not fit.
+// Words that a picture carries beside the sheets (plots, drawings). All of them are written here,
+// so that tests hear them as they read the items of sheets: none in another language, none that
+// does not fit.
 #pragma once
 #include <QRectF>
 #include <QString>

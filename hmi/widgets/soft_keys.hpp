@@ -1,4 +1,5 @@
-// The row of keys at the foot of each screen: F1 to F10, or a touch. A key that can cost something wants a second press.
+// The row of keys at the foot of each screen: F1 to F10, or a touch. A key that can cost something
+// wants a second press.
 #pragma once
 #include <QElapsedTimer>
 #include <QTimer>
@@ -10,16 +11,21 @@ namespace polyturn::hmi {
 class SoftKeyBar : public Sheet {
 public:
     static constexpr int kKeys = 10;
-    static constexpr int kReadMs = 500;   // the least time between a question and its answer
+    static constexpr int kReadMs = 500;  // the least time between a question and its answer
     explicit SoftKeyBar(QWidget* parent);
-    static QRectF place(int key, const QSizeF& bar, bool upright);   // where a key stands in a bar of that size; upright: two rows
+    // where a key stands in a bar of that size; upright: two rows
+    static QRectF place(int key, const QSizeF& bar, bool upright);
     void show(std::vector<SoftKey> keys);
-    void press(int key);     // from 0
+    void press(int key);  // from 0
     void letGo(int key);
-    void rest(int ms) { restMs_ = ms, resting_.start(); }   // other keys have come by themselves: a finger that was on its way meant those before
+    // other keys have come by themselves: a finger that was on its way meant those before
+    void rest(int ms) {
+        restMs_ = ms;
+        resting_.start();
+    }
     const std::vector<SoftKey>& keys() const { return keys_; }
-    int asked() const { return asked_; }   // the key that asks; -1 none
-    int waits() const;       // ms until the second press of the key that asks counts
+    int asked() const { return asked_; }  // the key that asks; -1 none
+    int waits() const;                    // ms until the second press of the key that asks counts
 
 protected:
     void compose(Writer& w) override;
@@ -28,7 +34,7 @@ protected:
 
 private:
     std::vector<SoftKey> keys_;
-    int asked_ = -1;         // waits for its second press
+    int asked_ = -1;  // waits for its second press
     QElapsedTimer askedSince_;
     int down_ = -1;
     QElapsedTimer resting_;

@@ -1,5 +1,5 @@
-// One field of text with keys for a finger, over the foot of any screen: what a screen asks for (Desk::ask) is typed here, by touch or on a
-// keyboard. Escape or «Close» leaves what was there.
+// One field of text with keys for a finger, over the foot of any screen: what a screen asks for
+// (Desk::ask) is typed here, by touch or on a keyboard. Escape or «Close» leaves what was there.
 #pragma once
 #include <functional>
 
@@ -11,8 +11,8 @@ namespace polyturn::hmi {
 
 struct TextQuestion {
     QString title, text;
-    std::function<void(const QString&)> changed = {};   // at each letter: a search
-    std::function<void(const QString&)> done = {};      // Enter
+    std::function<void(const QString&)> changed = {};  // at each letter: a search
+    std::function<void(const QString&)> done = {};     // Enter
     bool capitals = false;
     int most = 60;
 };
@@ -23,7 +23,10 @@ public:
     void open(TextQuestion question);
     void shut(bool take);
     bool key(QKeyEvent* event);
-    void refresh() { line_->refresh(), pad_->refresh(); }
+    void refresh() {
+        line_->refresh();
+        pad_->refresh();
+    }
     const QString& text() const { return question_.text; }
     TextPad& pad() { return *pad_; }
     FreeSheet& line() { return *line_; }
@@ -33,13 +36,13 @@ protected:
 
 private:
     void changed();
-    void write(const QString& text);               // where the caret stands
-    void erase(qsizetype from);                    // the letter there
+    void write(const QString& text);  // where the caret stands
+    void erase(qsizetype from);       // the letter there
     void move(qsizetype to);
     FreeSheet* line_;
     TextPad* pad_;
     TextQuestion question_;
-    qsizetype caret_ = 0;                          // letters before it
+    qsizetype caret_ = 0;  // letters before it
 };
 
 }  // namespace polyturn::hmi

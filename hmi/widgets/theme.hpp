@@ -1,4 +1,5 @@
-// Colours, fonts and signs of the screens, in a light and a dark dress. Colour is never the only signal: each state has its sign.
+// Colours, fonts and signs of the screens, in a light and a dark dress. Colour is never the only
+// signal: each state has its sign.
 #pragma once
 #include <QColor>
 #include <QFont>
@@ -8,7 +9,8 @@ namespace polyturn::hmi {
 
 struct Theme {
     bool dark;
-    QColor window, bar, card, raised, edge, text, dim, faint, accent, onAccent, good, warn, bad, wait, mark;
+    QColor window, bar, card, raised, edge, text, dim, faint, accent, onAccent, good, warn, bad,
+        wait, mark;
     // Of a field where something is entered: unlike that of keys.
     const QColor& entry() const { return dark ? window : card; }
     const QColor& entryEdge() const { return dark ? edge : faint; }
@@ -25,8 +27,41 @@ enum class Face : std::uint8_t { Text, Condensed, Program };
 QFont lettering(double units, bool bold = false, Face face = Face::Text);
 
 enum class Sign : std::uint8_t {
-    None, Run, Hold, Wait, Stop, Ended, Alarm, Warning, Note, Reset, Off, Good, Overview, Manual, Programs, Offsets, Tools, Parameters, Graphics, Bell,
-    Left, Right, Up, Down, Lock, Sun, Moon, Tongue, Key, Spindle, Feed, Help, Diagnosis, Undo, Bin,
+    None,
+    Run,
+    Hold,
+    Wait,
+    Stop,
+    Ended,
+    Alarm,
+    Warning,
+    Note,
+    Reset,
+    Off,
+    Good,
+    Overview,
+    Manual,
+    Programs,
+    Offsets,
+    Tools,
+    Parameters,
+    Graphics,
+    Bell,
+    Left,
+    Right,
+    Up,
+    Down,
+    Lock,
+    Sun,
+    Moon,
+    DisplayLanguage,
+    Key,
+    Spindle,
+    Feed,
+    Help,
+    Diagnosis,
+    Undo,
+    Bin,
 };
 void drawSign(QPainter& painter, const QRectF& box, Sign sign, const QColor& colour);
 

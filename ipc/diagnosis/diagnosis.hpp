@@ -21,18 +21,20 @@ enum class Dialect : std::uint8_t { Polyturn, Fanuc, Nct, Fagor, Sinumerik, Mefi
 
 struct AlarmRow {
     Alarm id;
-    std::string_view key;                   // name in alarms.csv
+    std::string_view key;  // name in alarms.csv
     Severity severity;
-    std::array<std::string_view, 6> number; // per Dialect; empty: Polyturn's number serves
-    std::string_view text;                  // with {0} {1} for values and {d} for detail
+    std::array<std::string_view, 6> number;  // per Dialect; empty: Polyturn's number serves
+    std::string_view text;                   // with {0} {1} for values and {d} for detail
     std::string_view remedy;
 };
 
 const AlarmRow& alarm_row(Alarm id);
-// The number an operator of that control expects to see; Polyturn's own where that control has none.
+// The number an operator of that control expects to see; Polyturn's own where that control has
+// none.
 std::string_view alarm_number(Alarm id, Dialect dialect);
 
-// A place in a text. line and column count from 1 in characters, column 0 means the whole line, line 0 the whole file.
+// A place in a text. line and column count from 1 in characters, column 0 means the whole line,
+// line 0 the whole file.
 struct Place {
     std::string file;
     std::uint32_t line = 0, column = 0, length = 0;
@@ -44,12 +46,13 @@ struct Diagnosis {
     std::array<double, 2> values{};  // what the text quotes, in the unit that the text names
     std::string detail;              // a name or a word that the text quotes
 
-    std::string text() const;        // the alarm's text with values and detail filled in
+    std::string text() const;  // the alarm's text with values and detail filled in
     std::string_view remedy() const { return alarm_row(alarm).remedy; }
     Severity severity() const { return alarm_row(alarm).severity; }
 };
 
-// "file:line:column: alarm 020: text" with the line, a mark under the word, and the remedy (style: one screenful).
+// "file:line:column: alarm 020: text" with the line, a mark under the word, and the remedy (style:
+// one screenful).
 // source_line may be empty.
 std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view source_line);
 

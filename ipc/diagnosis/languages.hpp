@@ -7,7 +7,11 @@
 namespace polyturn {
 
 inline constexpr std::pair<std::string_view, Dialect> kProgramLanguages[] = {
-    {"fanuc", Dialect::Fanuc}, {"nct", Dialect::Nct}, {"fagor", Dialect::Fagor}, {"sinumerik", Dialect::Sinumerik}, {"mefi", Dialect::Mefi}};
+    {"fanuc", Dialect::Fanuc},
+    {"nct", Dialect::Nct},
+    {"fagor", Dialect::Fagor},
+    {"sinumerik", Dialect::Sinumerik},
+    {"mefi", Dialect::Mefi}};
 
 // Polyturn for a name that is none.
 constexpr Dialect dialect_of(std::string_view language) noexcept {

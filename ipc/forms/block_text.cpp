@@ -17,9 +17,12 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 std::optional<double> plain_number(std::string_view text) {
     bool digit = false, point = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (is_digit(text[i])) digit = true;
-        else if (text[i] == '.' && !point) point = true;
-        else if (!((text[i] == '+' || text[i] == '-') && i == 0)) return std::nullopt;
+        if (is_digit(text[i]))
+            digit = true;
+        else if (text[i] == '.' && !point)
+            point = true;
+        else if (!((text[i] == '+' || text[i] == '-') && i == 0))
+            return std::nullopt;
     }
     if (!digit) return std::nullopt;
     double value = 0.0;
@@ -42,15 +45,20 @@ std::string number_text(double value, int decimals, bool with_point) {
     return out;
 }
 
-BlockText::BlockText(std::string line, Notation notation) : line_(std::move(line)), notation_(notation) { read(); }
+BlockText::BlockText(std::string line, Notation notation)
+    : line_(std::move(line)), notation_(notation) {
+    read();
+}
 
 // One pass; what is neither word nor comment makes the block one that no form may touch.
 void BlockText::read() {
     words_.clear();
     call_.reset();
     plain_ = true;
-    if (notation_ == Notation::Sinumerik) read_names();
-    else read_letters();
+    if (notation_ == Notation::Sinumerik)
+        read_names();
+    else
+        read_letters();
     const auto take_value = [this](TextWord& word) {
         word.value = line_.substr(word.value_from, word.to - word.value_from);
         const auto number = plain_number(word.value);
@@ -71,7 +79,7 @@ void BlockText::read_letters() {
         if (is_blank(c)) {
             ++i;
         } else if (c == ';') {
-            if (notation_ == Notation::Family)   // what follows is another block
+            if (notation_ == Notation::Family)  // what follows is another block
                 for (std::size_t k = i + 1; k < n; ++k) plain_ = plain_ && is_blank(line_[k]);
             return;
         } else if (c == '(' && notation_ == Notation::Family) {
@@ -87,25 +95,35 @@ void BlockText::read_letters() {
             word.from = i++;
             while (i < n && is_blank(line_[i])) ++i;
             word.value_from = i;
-            const bool variable = i < n && (line_[i] == '#' || line_[i] == '[' || ((line_[i] == '-' || line_[i] == '+') && i + 1 < n && (line_[i + 1] == '#' || line_[i + 1] == '[')));
+            const bool variable = i < n && (line_[i] == '#' || line_[i] == '[' ||
+                                            ((line_[i] == '-' || line_[i] == '+') && i + 1 < n &&
+                                             (line_[i + 1] == '#' || line_[i + 1] == '[')));
             if (variable && notation_ == Notation::Family) {
                 int depth = 0;
                 while (i < n) {
                     if (line_[i] == '[') ++depth;
                     if (line_[i] == ']') --depth;
                     const char d = line_[i];
-                    if (depth == 0 && d != ']' && !(d == '#' || is_digit(d) || ((d == '-' || d == '+') && i == word.value_from))) break;
+                    if (depth == 0 && d != ']' &&
+                        !(d == '#' || is_digit(d) ||
+                          ((d == '-' || d == '+') && i == word.value_from)))
+                        break;
                     ++i;
                     if (depth == 0 && d == ']') break;
                 }
                 plain_ = plain_ && depth == 0;
-            } else if (notation_ == Notation::Fagor && i < n && (capital(line_[i]) == 'P' || (line_[i] == '-' && i + 1 < n && capital(line_[i + 1]) == 'P')) && word.address != "N") {
+            } else if (notation_ == Notation::Fagor && i < n &&
+                       (capital(line_[i]) == 'P' ||
+                        (line_[i] == '-' && i + 1 < n && capital(line_[i + 1]) == 'P')) &&
+                       word.address != "N") {
                 i += line_[i] == '-' ? 2 : 1;
                 const std::size_t digits = i;
                 while (i < n && is_digit(line_[i])) ++i;
                 plain_ = plain_ && i > digits;
             } else {
-                while (i < n && (is_digit(line_[i]) || line_[i] == '.' || ((line_[i] == '-' || line_[i] == '+') && i == word.value_from))) ++i;
+                while (i < n && (is_digit(line_[i]) || line_[i] == '.' ||
+                                 ((line_[i] == '-' || line_[i] == '+') && i == word.value_from)))
+                    ++i;
             }
             word.to = i;
             if (word.to == word.value_from) plain_ = false;
@@ -116,31 +134,38 @@ void BlockText::read_letters() {
     }
 }
 
-// N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a command without one; or a call that stands
-// alone. What is chosen or told (labels, conditions, strings) and a value of several parts with blanks between them are left alone.
+// N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a
+// command without one; or a call that stands alone. What is chosen or told (labels, conditions,
+// strings) and a value of several parts with blanks between them are left alone.
 void BlockText::read_names() {
     std::size_t i = 0;
     const std::size_t n = line_.size();
-    const auto blanks = [&] { while (i < n && is_blank(line_[i])) ++i; };
-    const auto digits = [&] { while (i < n && is_digit(line_[i])) ++i; };
+    const auto blanks = [&] {
+        while (i < n && is_blank(line_[i])) ++i;
+    };
+    const auto digits = [&] {
+        while (i < n && is_digit(line_[i])) ++i;
+    };
     const auto is_sign = [](char c) { return c == '+' || c == '-' || c == '*' || c == '/'; };
     for (blanks(); i < n; blanks()) {
         const char c = line_[i];
         if (c == ';') return;
         if (c == '/' && words_.empty()) {
-            ++i, digits();
+            ++i;
+            digits();
             continue;
         }
         if (!is_letter(c) && c != '_') return void(plain_ = false);
         TextWord word;
         word.from = i;
-        while (i < n && (is_letter(line_[i]) || line_[i] == '_')) word.address += capital(line_[i++]);
+        while (i < n && (is_letter(line_[i]) || line_[i] == '_'))
+            word.address += capital(line_[i++]);
         const std::size_t behind_name = i;
         const bool letter = word.address.size() == 1;
         digits();
         std::size_t at = i;
         while (at < n && is_blank(line_[at])) ++at;
-        if (at < n && line_[at] == '=') {              // X1=, SF=
+        if (at < n && line_[at] == '=') {  // X1=, SF=
             word.address += line_.substr(behind_name, i - behind_name);
             i = at + 1;
             blanks();
@@ -151,30 +176,40 @@ void BlockText::read_names() {
                 if (line_[i] == '(' || line_[i] == '[') ++depth;
                 if (line_[i] == ')' || line_[i] == ']') --depth;
             }
-            if (i == word.value_from || depth != 0 || is_sign(line_[i - 1]) || line_[word.value_from] == '=') return void(plain_ = false);
-        } else if (letter) {                           // K2, Z-20.5
+            if (i == word.value_from || depth != 0 || is_sign(line_[i - 1]) ||
+                line_[word.value_from] == '=')
+                return void(plain_ = false);
+        } else if (letter) {  // K2, Z-20.5
             i = behind_name;
             blanks();
             word.value_from = i;
-            while (i < n && (is_digit(line_[i]) || line_[i] == '.' || ((line_[i] == '-' || line_[i] == '+') && i == word.value_from))) ++i;
-            if (i == word.value_from || (i < n && capital(line_[i]) == 'E')) return void(plain_ = false);   // 2EX3
+            while (i < n && (is_digit(line_[i]) || line_[i] == '.' ||
+                             ((line_[i] == '-' || line_[i] == '+') && i == word.value_from)))
+                ++i;
+            // 2EX3
+            if (i == word.value_from || (i < n && capital(line_[i]) == 'E'))
+                return void(plain_ = false);
         } else {
             word.address += line_.substr(behind_name, i - behind_name);
             if (at < n && line_[at] == '(') return read_call(std::move(word.address), at);
             word.value_from = i;
         }
         word.to = i;
-        if (i < n && (line_[i] == '(' || line_[i] == '[' || line_[i] == ':')) return void(plain_ = false);
+        if (i < n && (line_[i] == '(' || line_[i] == '[' || line_[i] == ':'))
+            return void(plain_ = false);
         words_.push_back(std::move(word));
     }
 }
 
-// N10 MCALL CYCLE82(10, 0, 2, -20, , R1 + 2) ;why so: nothing else may stand in the block of a cycle.
+// N10 MCALL CYCLE82(10, 0, 2, -20, , R1 + 2) ;why so: nothing else may stand in the block of a
+// cycle.
 void BlockText::read_call(std::string name, std::size_t open) {
     TextCall call{std::move(name), open, 0, {}};
     for (const TextWord& word : words_) {
-        if (word.address == "MCALL" && call.name.find(' ') == std::string::npos) call.name.insert(0, "MCALL ");
-        else if (word.address != "N" || &word != &words_.front()) return void(plain_ = false);
+        if (word.address == "MCALL" && call.name.find(' ') == std::string::npos)
+            call.name.insert(0, "MCALL ");
+        else if (word.address != "N" || &word != &words_.front())
+            return void(plain_ = false);
     }
     const std::size_t n = line_.size();
     int depth = 1;
@@ -188,14 +223,22 @@ void BlockText::read_call(std::string name, std::size_t open) {
         argument.from = argument.value_from = from;
         argument.to = i;
         while (argument.to > from && is_blank(line_[argument.to - 1])) --argument.to;
-        while (argument.value_from < argument.to && is_blank(line_[argument.value_from])) ++argument.value_from;
-        if (argument.value_from == argument.to && argument.to < i) ++argument.value_from, ++argument.to;   // behind one blank
+        while (argument.value_from < argument.to && is_blank(line_[argument.value_from]))
+            ++argument.value_from;
+        // behind one blank
+        if (argument.value_from == argument.to && argument.to < i) {
+            ++argument.value_from;
+            ++argument.to;
+        }
         call.arguments.push_back(std::move(argument));
         from = i + 1;
     }
     if (line_[from - 1] != ')') return void(plain_ = false);
     call.close = from - 1;
-    if (call.arguments.size() == 1 && call.arguments.front().value_from == call.arguments.front().to) call.arguments.clear();   // ()
+    // ()
+    if (call.arguments.size() == 1 &&
+        call.arguments.front().value_from == call.arguments.front().to)
+        call.arguments.clear();
     while (from < n && is_blank(line_[from])) ++from;
     plain_ = plain_ && (from == n || line_[from] == ';');
     call_ = std::move(call);
@@ -217,7 +260,9 @@ bool BlockText::has_code(std::string_view code) const {
     if (call_) return call_->name == code;
     const auto number = plain_number(code.substr(1));
     for (const TextWord& word : words_)
-        if (word.address == code.substr(0, 1) && word.plain && number && std::fabs(word.number - *number) < 1e-9) return true;
+        if (word.address == code.substr(0, 1) && word.plain && number &&
+            std::fabs(word.number - *number) < 1e-9)
+            return true;
     return false;
 }
 
@@ -226,8 +271,10 @@ void BlockText::set(std::string_view address, const std::string& value) {
         line_.replace(word->value_from, word->to - word->value_from, value);
     } else {
         std::size_t at = words_.empty() ? line_.size() : words_.back().to;
-        const bool equals = notation_ == Notation::Sinumerik && (address.size() > 1 || !plain_number(value));
-        line_.insert(at, std::string(at > 0 && !is_blank(line_[at - 1]) ? " " : "") + std::string(address) + (equals ? "=" : "") + value);
+        const bool equals =
+            notation_ == Notation::Sinumerik && (address.size() > 1 || !plain_number(value));
+        line_.insert(at, std::string(at > 0 && !is_blank(line_[at - 1]) ? " " : "") +
+                             std::string(address) + (equals ? "=" : "") + value);
     }
     read();
 }
@@ -236,8 +283,10 @@ void BlockText::erase(std::string_view address) {
     const TextWord* word = find(address);
     if (!word) return;
     std::size_t from = word->from, to = word->to;
-    if (from > 0 && is_blank(line_[from - 1])) --from;             // one blank goes with it
-    else if (to < line_.size() && is_blank(line_[to])) ++to;
+    if (from > 0 && is_blank(line_[from - 1]))
+        --from;  // one blank goes with it
+    else if (to < line_.size() && is_blank(line_[to]))
+        ++to;
     line_.erase(from, to - from);
     read();
 }
@@ -247,7 +296,7 @@ void BlockText::set_argument(std::size_t i, const std::string& value) {
     if (i < all.size()) {
         line_.replace(all[i].value_from, all[i].to - all[i].value_from, value);
     } else {
-        bool dense = all.size() > 1;                   // 10,0,2 goes on without blanks
+        bool dense = all.size() > 1;  // 10,0,2 goes on without blanks
         for (std::size_t k = 1; k < all.size(); ++k) dense = dense && !is_blank(line_[all[k].from]);
         std::string more;
         for (std::size_t k = all.size(); k <= i; ++k) more += k == 0 ? "" : dense ? "," : ", ";
@@ -264,7 +313,8 @@ void BlockText::erase_argument(std::size_t i) {
     } else {
         std::size_t first = i;
         while (first > 0 && all[first - 1].value.empty()) --first;
-        const std::size_t from = first == 0 ? call_->open + 1 : all[first].from - 1;   // the comma too
+        // the comma too
+        const std::size_t from = first == 0 ? call_->open + 1 : all[first].from - 1;
         line_.erase(from, call_->close - from);
     }
     read();

@@ -1,4 +1,5 @@
-// A form and the blocks of a program: read from where the cursor stands, written so that only the words change that have changed.
+// A form and the blocks of a program: read from where the cursor stands, written so that only the
+// words change that have changed.
 //
 // Invariants
 //   I1  write(read(x)) == x: a form that nobody changes changes nothing.
@@ -17,19 +18,21 @@ namespace polyturn::forms {
 struct Value {
     bool set = false;
     double number = 0.0;
-    std::string expression;       // not empty: instead of the number
-    std::string address;          // of the word it came from, where a field has two (X, U); empty: its first
+    std::string expression;  // not empty: instead of the number
+    // of the word it came from, where a field has two (X, U); empty: its first
+    std::string address;
     bool operator==(const Value&) const = default;
 };
 
 struct CycleBlock {
     const Form* form = nullptr;
-    std::vector<Value> values;    // one for each field
-    int line[2] = {-1, -1};       // of its blocks, from 0; -1: it is not there
+    std::vector<Value> values;  // one for each field
+    int line[2] = {-1, -1};     // of its blocks, from 0; -1: it is not there
 };
 
 // The cycle at a line, or that whose second (first) block stands there.
-std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int line, const Dialect& dialect);
+std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int line,
+                                     const Dialect& dialect);
 // What a form proposes where nothing stands yet.
 CycleBlock new_cycle(const Form& form, const Dialect& dialect = {});
 
@@ -52,8 +55,10 @@ struct LineChange {
     std::string text;
     bool removes = false;
 };
-// `before`: what read_cycle gave; without a line of its own the cycle becomes new lines before `cursor`. In order of the text.
-std::vector<LineChange> write_cycle(const std::vector<std::string>& lines, const CycleBlock& before, const CycleBlock& now, int cursor, const Dialect& dialect);
+// `before`: what read_cycle gave; without a line of its own the cycle becomes new lines before
+// `cursor`. In order of the text.
+std::vector<LineChange> write_cycle(const std::vector<std::string>& lines, const CycleBlock& before,
+                                    const CycleBlock& now, int cursor, const Dialect& dialect);
 void apply_changes(std::vector<std::string>& lines, const std::vector<LineChange>& changes);
 
 // The digits behind the point that a field is written with.

@@ -1,4 +1,5 @@
-// Forms of the fanuc family: fanuc of systems A, B and C, its series 15 format, nct (fanuc_lathe 8.3 to 8.5, nct part 2 17.1).
+// Forms of the fanuc family: fanuc of systems A, B and C, its series 15 format, nct (fanuc_lathe
+// 8.3 to 8.5, nct part 2 17.1).
 #include <array>
 
 #include "ipc/forms/forms.hpp"
@@ -43,7 +44,8 @@ constexpr Field kG73[] = {
 constexpr Field kG70[] = {
     {"P", 0, U::Label, M::Contour, kNeeded, 1, 99999, "100", "First block of the contour"},
     {"Q", 0, U::Label, M::Contour, kNeeded, 1, 99999, "200", "Last block of the contour"},
-    {"F", 0, U::FeedRate, M::FinishFeed, kMay, 0.0001, kMost, "", "Feed of finishing, where the contour says none"},
+    {"F", 0, U::FeedRate, M::FinishFeed, kMay, 0.0001, kMost, "",
+     "Feed of finishing, where the contour says none"},
 };
 constexpr Field kG74[] = {
     {"R", 0, U::Length, M::Retract, kMay, 0, kMost, "0.5", "Way back after each peck"},
@@ -69,11 +71,15 @@ constexpr Field kG76[] = {
     {"P", 0, U::Degrees, M::ToolAngle, kMay, 0, 99, "60", "Angle of the tool tip", {}, 4, 2},
     {"Q", 0, U::Fine, M::LeastPass, kMay, 0, kMost, "0.05", "Least depth of a pass"},
     {"R", 0, U::Length, M::AllowanceX, kMay, -kMost, kMost, "0.02", "Finishing allowance"},
-    {"X", 1, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "17.55", "Core diameter at the end", "U"},
+    {"X", 1, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "17.55", "Core diameter at the end",
+     "U"},
     {"Z", 1, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End of the thread Z", "W"},
-    {"R", 1, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
-    {"P", 1, U::Fine, M::ThreadDepth, kNeeded, 0.0001, kMost, "1.227", "Height of the thread (radius)"},
-    {"Q", 1, U::Fine, M::FirstPass, kNeeded, 0.0001, kMost, "0.3", "Depth of the first pass (radius)"},
+    {"R", 1, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
+    {"P", 1, U::Fine, M::ThreadDepth, kNeeded, 0.0001, kMost, "1.227",
+     "Height of the thread (radius)"},
+    {"Q", 1, U::Fine, M::FirstPass, kNeeded, 0.0001, kMost, "0.3",
+     "Depth of the first pass (radius)"},
     {"F", 1, U::Lead, M::Lead, kMay, 0.0001, 500, "2", "Lead"},
 };
 
@@ -113,11 +119,15 @@ constexpr Field kG75One[] = {
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.1", "Feed"},
 };
 constexpr Field kG76One[] = {
-    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "17.55", "Core diameter at the end", "U"},
+    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "17.55", "Core diameter at the end",
+     "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End of the thread Z", "W"},
-    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
-    {"K", 0, U::Length, M::ThreadDepth, kNeeded, 0.0001, kMost, "1.227", "Height of the thread (radius)"},
-    {"D", 0, U::Fine, M::FirstPass, kNeeded, 0.0001, kMost, "0.3", "Depth of the first pass (radius)"},
+    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
+    {"K", 0, U::Length, M::ThreadDepth, kNeeded, 0.0001, kMost, "1.227",
+     "Height of the thread (radius)"},
+    {"D", 0, U::Fine, M::FirstPass, kNeeded, 0.0001, kMost, "0.3",
+     "Depth of the first pass (radius)"},
     {"A", 0, U::Degrees, M::ToolAngle, kMay, 0, 120, "60", "Angle of the tool tip"},
     {"F", 0, U::Lead, M::Lead, kMay, 0.0001, 500, "2", "Lead"},
 };
@@ -126,68 +136,83 @@ constexpr Field kG76One[] = {
 constexpr Field kTurning[] = {
     {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "36", "Diameter at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-30", "End point Z", "W"},
-    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
+    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.2", "Feed"},
 };
 constexpr Field kFacing[] = {
     {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "10", "Diameter at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-2", "Face Z", "W"},
-    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (Z at the start less that at the end)"},
+    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (Z at the start less that at the end)"},
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.2", "Feed"},
 };
 constexpr Field kThread[] = {
-    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4", "Diameter of this pass at the end", "U"},
+    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4",
+     "Diameter of this pass at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End of the thread Z", "W"},
-    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
+    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
     {"F", 0, U::Lead, M::Lead, kNeeded, 0.0001, 500, "1.5", "Lead"},
     {"Q", 0, U::Thousandth, M::StartAngle, kMay, 0, 360, "", "Angle of the spindle at the start"},
 };
 constexpr Field kThreadNct[] = {
-    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4", "Diameter of this pass at the end", "U"},
+    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4",
+     "Diameter of this pass at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End of the thread Z", "W"},
-    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
+    {"R", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
     {"F", 0, U::Lead, M::Lead, kNeeded, 0.0001, 500, "1.5", "Lead"},
     {"Q", 0, U::Degrees, M::StartAngle, kMay, 0, 360, "", "Angle of the spindle at the start"},
 };
 constexpr Field kTurning15[] = {
     {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "36", "Diameter at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-30", "End point Z", "W"},
-    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
+    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.2", "Feed"},
 };
 constexpr Field kFacing15[] = {
     {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "10", "Diameter at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-2", "Face Z", "W"},
-    {"K", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (Z at the start less that at the end)"},
+    {"K", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (Z at the start less that at the end)"},
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.2", "Feed"},
 };
 constexpr Field kThread15[] = {
-    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4", "Diameter of this pass at the end", "U"},
+    {"X", 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "19.4",
+     "Diameter of this pass at the end", "U"},
     {"Z", 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End of the thread Z", "W"},
-    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "", "Taper (radius at the start less that at the end)"},
+    {"I", 0, U::Length, M::Taper, kMay, -kMost, kMost, "",
+     "Taper (radius at the start less that at the end)"},
     {"F", 0, U::Lead, M::Lead, kNeeded, 0.0001, 500, "1.5", "Lead"},
 };
 
-// Drilling in the face (Z is the depth) and in the side (X is); `repeats`: K of the own format, L of series 15 and nct.
-#define POLYTURN_FACE_HOLE(repeats, more)                                                                   \
-    {"X", 0, U::Diameter, M::Place, kMay, -kMost, kMost, "0", "Place of the hole X", "U"},                  \
-    {"C", 0, U::Rotary, M::Place, kMay, -kMost, kMost, "", "Place of the hole C", "H"},                    \
-    {"Z", 0, U::Length, M::Bottom, kNeeded, -kMost, kMost, "-15", "Bottom of the hole Z", "W"},              \
-    {"R", 0, U::Length, M::RLevel, kMay, -kMost, kMost, "", "From rapid to feed (R level)"},                \
-    more                                                                                                    \
-    {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.1", "Feed"},                                     \
-    {repeats, 0, U::Count, M::Count, kMay, 0, 9999, "", "Number of holes"}
-#define POLYTURN_SIDE_HOLE(repeats, more)                                                                   \
-    {"Z", 0, U::Length, M::Place, kMay, -kMost, kMost, "-10", "Place of the hole Z", "W"},                  \
-    {"C", 0, U::Rotary, M::Place, kMay, -kMost, kMost, "", "Place of the hole C", "H"},                    \
-    {"X", 0, U::Diameter, M::Bottom, kNeeded, -kMost, kMost, "20", "Bottom of the hole X", "U"},             \
-    {"R", 0, U::Length, M::RLevel, kMay, -kMost, kMost, "", "From rapid to feed (R level)"},                \
-    more                                                                                                    \
-    {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.1", "Feed"},                                     \
-    {repeats, 0, U::Count, M::Count, kMay, 0, 9999, "", "Number of holes"}
-#define POLYTURN_DWELL {"P", 0, U::Milliseconds, M::Dwell, kMay, 0, 99999, "", "Dwell at the bottom"},
-#define POLYTURN_PECK {"Q", 0, U::Length, M::Peck, kMay, 0.001, kMost, "5", "Depth of a peck"}, POLYTURN_DWELL
-#define POLYTURN_PECK_E POLYTURN_PECK {"E", 0, U::Length, M::Retract, kMay, 0, kMost, "", "Way back or clearance of a peck"},
+// Drilling in the face (Z is the depth) and in the side (X is); `repeats`: K of the own format, L
+// of series 15 and nct.
+#define POLYTURN_FACE_HOLE(repeats, more)                                                           \
+    {"X", 0, U::Diameter, M::Place, kMay, -kMost, kMost, "0", "Place of the hole X", "U"},          \
+        {"C", 0, U::Rotary, M::Place, kMay, -kMost, kMost, "", "Place of the hole C", "H"},         \
+        {"Z", 0, U::Length, M::Bottom, kNeeded, -kMost, kMost, "-15", "Bottom of the hole Z", "W"}, \
+        {"R", 0, U::Length, M::RLevel, kMay, -kMost, kMost, "", "From rapid to feed (R level)"},    \
+        more{"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.1", "Feed"}, {                   \
+        repeats, 0, U::Count, M::Count, kMay, 0, 9999, "", "Number of holes"                        \
+    }
+#define POLYTURN_SIDE_HOLE(repeats, more)                                                            \
+    {"Z", 0, U::Length, M::Place, kMay, -kMost, kMost, "-10", "Place of the hole Z", "W"},           \
+        {"C", 0, U::Rotary, M::Place, kMay, -kMost, kMost, "", "Place of the hole C", "H"},          \
+        {"X", 0, U::Diameter, M::Bottom, kNeeded, -kMost, kMost, "20", "Bottom of the hole X", "U"}, \
+        {"R", 0, U::Length, M::RLevel, kMay, -kMost, kMost, "", "From rapid to feed (R level)"},     \
+        more{"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "0.1", "Feed"}, {                    \
+        repeats, 0, U::Count, M::Count, kMay, 0, 9999, "", "Number of holes"                         \
+    }
+#define POLYTURN_DWELL \
+    {"P", 0, U::Milliseconds, M::Dwell, kMay, 0, 99999, "", "Dwell at the bottom"},
+#define POLYTURN_PECK \
+    {"Q", 0, U::Length, M::Peck, kMay, 0.001, kMost, "5", "Depth of a peck"}, POLYTURN_DWELL
+#define POLYTURN_PECK_E \
+    POLYTURN_PECK{      \
+        "E", 0, U::Length, M::Retract, kMay, 0, kMost, "", "Way back or clearance of a peck"},
 #define POLYTURN_NO_MORE
 constexpr Field kPeckFace[] = {POLYTURN_FACE_HOLE("K", POLYTURN_PECK)};
 constexpr Field kHoleFace[] = {POLYTURN_FACE_HOLE("K", POLYTURN_DWELL)};
@@ -270,12 +295,18 @@ constexpr Form kForms[] = {
 
 std::span<const Form> fanuc_forms() { return kForms; }
 
-Dialect dialect_of(std::string_view language, char system, bool series15, bool point_means_nothing, double increment) {
+Dialect dialect_of(std::string_view language, char system, bool series15, bool point_means_nothing,
+                   double increment) {
     if (language == "fagor") return {kFagor, false, increment};
     if (language == "sinumerik") return {kSinumerik, false, increment};
     if (language == "nct") return {kNct, !point_means_nothing, increment};
     if (language != "fanuc") return {};
-    const Speaks own = system == 'A' ? kFanucA : system == 'B' ? kFanucB : kFanucC, of_15 = system == 'A' ? kSeries15A : system == 'B' ? kSeries15B : kSeries15C;
+    const Speaks own = system == 'A'   ? kFanucA
+                       : system == 'B' ? kFanucB
+                                       : kFanucC,
+                 of_15 = system == 'A'   ? kSeries15A
+                         : system == 'B' ? kSeries15B
+                                         : kSeries15C;
     return {series15 ? of_15 : own, !point_means_nothing, increment};
 }
 

@@ -4,8 +4,10 @@
 
 namespace polyturn {
 
-inline constexpr std::int32_t kFlagBalance = 6;   // code of a Flag record, as in interrupt_inputs.hpp: register CN_BALANCE
-// Codes of the meetings of both channels, beyond any M code: a run of cuts begins (also G68), it is over (G69).
+// code of a Flag record, as in interrupt_inputs.hpp: register CN_BALANCE
+inline constexpr std::int32_t kFlagBalance = 6;
+// Codes of the meetings of both channels, beyond any M code: a run of cuts begins (also G68), it is
+// over (G69).
 inline constexpr std::int32_t kBalanceMeeting = 1'000'000'068, kBalanceEnd = 1'000'000'069;
 
 }  // namespace polyturn

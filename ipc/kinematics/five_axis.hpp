@@ -1,20 +1,24 @@
-// Rotary heads and tables (nct part 2 33, N3200 to N3224): path coordinates are those of the tool's tip on the workpiece as it
-// lies with both rotary axes at 0; the linear axes make good what the rotary ones move.
+// Rotary heads and tables (nct part 2 33, N3200 to N3224): path coordinates are those of the tool's
+// tip on the workpiece as it lies with both rotary axes at 0; the linear axes make good what the
+// rotary ones move.
 //
 //   table    x -> c + R(angle) (x - c)            turns the workpiece; the first table carries the second
 //   head     tip = pivot + R(angle) arm           turns the tool about its pivot; the first head carries the second
 //   M = T1 T2 p - (H1(arm1 + H2 arm2) - (arm1 + arm2))
-// With both at 0 the coordinates of path and axes are the same: tool length and zeros stay where they are.
+// With both at 0 the coordinates of path and axes are the same: tool length and zeros stay where
+// they are.
 #pragma once
 #include "ipc/kinematics/kinematics.hpp"
 
 namespace polyturn::five_axis {
 
 // Layout of Kinematics::value.
-inline constexpr std::size_t kFirstDirection = 0, kSecondDirection = 3;   // unit vectors; 0 0 0: that axis does not exist
-inline constexpr std::size_t kFirstPoint = 6, kSecondPoint = 9;           // table: a point on the rotary axis, machine coordinates; head:
-                                                                          // the arm that it turns (from its pivot on), mm
-inline constexpr std::size_t kFirstIsHead = 12, kSecondIsHead = 13;       // 1 head, 0 table
+// unit vectors; 0 0 0: that axis does not exist
+inline constexpr std::size_t kFirstDirection = 0, kSecondDirection = 3;
+// table: a point on the rotary axis, machine coordinates; head: the arm that it turns (from its
+// pivot on), mm
+inline constexpr std::size_t kFirstPoint = 6, kSecondPoint = 9;
+inline constexpr std::size_t kFirstIsHead = 12, kSecondIsHead = 13;  // 1 head, 0 table
 
 template <class T>
 using Vector = std::array<T, 3>;
@@ -26,7 +30,8 @@ Vector<T> turned(const double* n, const T& degrees, const Vector<T>& x) noexcept
     T s, c;
     sincos(degrees * T(kRad), s, c);
     const T along = (T(n[0]) * x[0] + T(n[1]) * x[1] + T(n[2]) * x[2]) * (T(1.0) - c);
-    const Vector<T> cross{T(n[1]) * x[2] - T(n[2]) * x[1], T(n[2]) * x[0] - T(n[0]) * x[2], T(n[0]) * x[1] - T(n[1]) * x[0]};
+    const Vector<T> cross{T(n[1]) * x[2] - T(n[2]) * x[1], T(n[2]) * x[0] - T(n[0]) * x[2],
+                          T(n[0]) * x[1] - T(n[1]) * x[0]};
     Vector<T> r;
     for (std::size_t i = 0; i < 3; ++i) r[i] = c * x[i] + s * cross[i] + along * T(n[i]);
     return r;
@@ -41,7 +46,10 @@ template <class T>
 Vector<T> head_shift(const Kinematics& k, const T& first, const T& second) noexcept {
     Vector<T> tip{T(0.0), T(0.0), T(0.0)}, rest = tip;
     const auto add = [&](std::size_t point) {
-        for (std::size_t i = 0; i < 3; ++i) tip[i] = tip[i] + T(k.value[point + i]), rest[i] = rest[i] + T(k.value[point + i]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            tip[i] = tip[i] + T(k.value[point + i]);
+            rest[i] = rest[i] + T(k.value[point + i]);
+        }
     };
     if (k.value[kSecondIsHead] != 0 && exists(k, kSecondDirection)) {
         add(kSecondPoint);
@@ -56,7 +64,8 @@ Vector<T> head_shift(const Kinematics& k, const T& first, const T& second) noexc
 }
 
 template <class T>
-Vector<T> about(const Kinematics& k, std::size_t point, std::size_t direction, const T& degrees, Vector<T> x) noexcept {
+Vector<T> about(const Kinematics& k, std::size_t point, std::size_t direction, const T& degrees,
+                Vector<T> x) noexcept {
     for (std::size_t i = 0; i < 3; ++i) x[i] = x[i] - T(k.value[point + i]);
     x = turned(&k.value[direction], degrees, x);
     for (std::size_t i = 0; i < 3; ++i) x[i] = x[i] + T(k.value[point + i]);
@@ -65,18 +74,23 @@ Vector<T> about(const Kinematics& k, std::size_t point, std::size_t direction, c
 
 template <class T>
 Vector<T> linear_axes(const Kinematics& k, Vector<T> x, const T& first, const T& second) noexcept {
-    if (k.value[kSecondIsHead] == 0 && exists(k, kSecondDirection)) x = about(k, kSecondPoint, kSecondDirection, second, x);
-    if (k.value[kFirstIsHead] == 0 && exists(k, kFirstDirection)) x = about(k, kFirstPoint, kFirstDirection, first, x);
+    if (k.value[kSecondIsHead] == 0 && exists(k, kSecondDirection))
+        x = about(k, kSecondPoint, kSecondDirection, second, x);
+    if (k.value[kFirstIsHead] == 0 && exists(k, kFirstDirection))
+        x = about(k, kFirstPoint, kFirstDirection, first, x);
     const Vector<T> shift = head_shift(k, first, second);
     for (std::size_t i = 0; i < 3; ++i) x[i] = x[i] - shift[i];
     return x;
 }
 
-inline Vector<double> tip(const Kinematics& k, Vector<double> x, double first, double second) noexcept {
+inline Vector<double> tip(const Kinematics& k, Vector<double> x, double first,
+                          double second) noexcept {
     const Vector<double> shift = head_shift(k, first, second);
     for (std::size_t i = 0; i < 3; ++i) x[i] += shift[i];
-    if (k.value[kFirstIsHead] == 0 && exists(k, kFirstDirection)) x = about(k, kFirstPoint, kFirstDirection, -first, x);
-    if (k.value[kSecondIsHead] == 0 && exists(k, kSecondDirection)) x = about(k, kSecondPoint, kSecondDirection, -second, x);
+    if (k.value[kFirstIsHead] == 0 && exists(k, kFirstDirection))
+        x = about(k, kFirstPoint, kFirstDirection, -first, x);
+    if (k.value[kSecondIsHead] == 0 && exists(k, kSecondDirection))
+        x = about(k, kSecondPoint, kSecondDirection, -second, x);
     return x;
 }
 

@@ -1,5 +1,6 @@
-// A quantity with its first three derivatives along the path, as coefficients of its Taylor series: arithmetic on jets is the
-// chain rule, so one formula gives position, velocity, acceleration and jerk (Griewank, Walther: Evaluating Derivatives, 13.2).
+// A quantity with its first three derivatives along the path, as coefficients of its Taylor series:
+// arithmetic on jets is the chain rule, so one formula gives position, velocity, acceleration and
+// jerk (Griewank, Walther: Evaluating Derivatives, 13.2).
 //
 //     x(s + h) = c[0] + c[1] h + c[2] h^2 + c[3] h^3        derivative k is k! c[k]
 #pragma once
@@ -11,8 +12,10 @@ namespace polyturn {
 struct Jet {
     std::array<double, 4> c{};
     constexpr Jet() = default;
-    constexpr Jet(double value) : c{value, 0, 0, 0} {}   // NOLINT(google-explicit-constructor): a constant is a jet
-    constexpr Jet(double value, double first, double second, double third) : c{value, first, second / 2, third / 6} {}
+    constexpr Jet(double value)
+        : c{value, 0, 0, 0} {}  // NOLINT(google-explicit-constructor): a constant is a jet
+    constexpr Jet(double value, double first, double second, double third)
+        : c{value, first, second / 2, third / 6} {}
     double value() const noexcept { return c[0]; }
     double first() const noexcept { return c[1]; }
     double second() const noexcept { return 2 * c[2]; }
@@ -37,7 +40,8 @@ inline Jet operator*(const Jet& a, const Jet& b) noexcept {
         for (std::size_t i = 0; i <= k; ++i) r.c[k] += a.c[i] * b.c[k - i];
     return r;
 }
-inline Jet operator/(const Jet& a, const Jet& b) noexcept {   // r b = a, solved from the lowest coefficient up
+// r b = a, solved from the lowest coefficient up
+inline Jet operator/(const Jet& a, const Jet& b) noexcept {
     Jet r;
     for (std::size_t k = 0; k < 4; ++k) {
         double rest = a.c[k];
@@ -46,7 +50,7 @@ inline Jet operator/(const Jet& a, const Jet& b) noexcept {   // r b = a, solved
     }
     return r;
 }
-inline Jet sqrt(const Jet& a) noexcept {                      // r r = a
+inline Jet sqrt(const Jet& a) noexcept {  // r r = a
     Jet r(std::sqrt(a.c[0]));
     for (std::size_t k = 1; k < 4; ++k) {
         double rest = a.c[k];
@@ -55,8 +59,9 @@ inline Jet sqrt(const Jet& a) noexcept {                      // r r = a
     }
     return r;
 }
-inline void sincos(const Jet& a, Jet& sine, Jet& cosine) noexcept {   // s' = a' c, c' = -a' s
-    sine = Jet(std::sin(a.c[0])), cosine = Jet(std::cos(a.c[0]));
+inline void sincos(const Jet& a, Jet& sine, Jet& cosine) noexcept {  // s' = a' c, c' = -a' s
+    sine = Jet(std::sin(a.c[0]));
+    cosine = Jet(std::cos(a.c[0]));
     for (std::size_t k = 1; k < 4; ++k) {
         double s = 0, c = 0;
         for (std::size_t i = 1; i <= k; ++i) {
@@ -64,11 +69,16 @@ inline void sincos(const Jet& a, Jet& sine, Jet& cosine) noexcept {   // s' = a'
             s += d * cosine.c[k - i];
             c -= d * sine.c[k - i];
         }
-        sine.c[k] = s / static_cast<double>(k), cosine.c[k] = c / static_cast<double>(k);
+        sine.c[k] = s / static_cast<double>(k);
+        cosine.c[k] = c / static_cast<double>(k);
     }
 }
-inline void sincos(double a, double& sine, double& cosine) noexcept { sine = std::sin(a), cosine = std::cos(a); }
-inline Jet atan2(const Jet& y, const Jet& x) noexcept {       // (x y' - y x') / (x^2 + y^2), integrated
+inline void sincos(double a, double& sine, double& cosine) noexcept {
+    sine = std::sin(a);
+    cosine = std::cos(a);
+}
+// (x y' - y x') / (x^2 + y^2), integrated
+inline Jet atan2(const Jet& y, const Jet& x) noexcept {
     Jet dy, dx;
     for (std::size_t k = 0; k < 3; ++k) {
         dy.c[k] = static_cast<double>(k + 1) * y.c[k + 1];

@@ -10,7 +10,7 @@ namespace polyturn {
 namespace {
 
 constexpr double kDeg = 180.0 / std::numbers::pi;
-constexpr double kAnywhere = 1e9;   // mm: a map that is the same everywhere
+constexpr double kAnywhere = 1e9;  // mm: a map that is the same everywhere
 
 using std::atan2;
 using std::sqrt;
@@ -18,7 +18,7 @@ using std::sqrt;
 double sense_of(const Kinematics& k) noexcept { return k.value[1] < 0 ? -1.0 : 1.0; }
 
 template <class T>
-T near_turn(T degrees, double turn) noexcept {   // by whole turns
+T near_turn(T degrees, double turn) noexcept {  // by whole turns
     return degrees + T(std::round((turn - value_of(degrees)) / 360.0) * 360.0);
 }
 
@@ -26,7 +26,8 @@ void turn_of(const Branch& b, double& turn) noexcept { turn = b.turn; }
 void turn_of(const Branch& b, Jet& turn) noexcept { turn = Jet(b.turn, b.rate, 0, 0); }
 
 template <class T>
-bool polar(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRoles>& path, std::array<T, kMaxRoles>& axes) noexcept {
+bool polar(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRoles>& path,
+           std::array<T, kMaxRoles>& axes) noexcept {
     const T u = path[0] - T(k.centre[0]), v = path[1] - T(k.centre[1]);
     const double d = k.value[0];
     if (branch.side == SideOfPole::Through) {
@@ -41,7 +42,8 @@ bool polar(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRo
     if (!(value_of(square) > 0)) return false;
     T x = sqrt(square);
     if (branch.side == SideOfPole::Negative) x = T(0.0) - x;
-    // atan2(v, u) - atan2(d, x) as one angle: their difference is the direction of (u + i v)(x - i d).
+    // atan2(v, u) - atan2(d, x) as one angle: their difference is the direction of (u + i v)(x - i
+    // d).
     const T c = atan2(v * x - u * T(d), u * x + v * T(d)) * T(kDeg * sense_of(k));
     axes[0] = T(k.centre[0]) + x;
     axes[1] = near_turn(T(k.centre[1]) + c, branch.turn);
@@ -49,9 +51,11 @@ bool polar(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRo
 }
 
 template <class T>
-bool map(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRoles>& path, std::array<T, kMaxRoles>& axes) noexcept {
+bool map(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRoles>& path,
+         std::array<T, kMaxRoles>& axes) noexcept {
     switch (kind_of(k)) {
-        case KinematicsKind::Polar: return polar(k, branch, path, axes);
+        case KinematicsKind::Polar:
+            return polar(k, branch, path, axes);
         case KinematicsKind::Cylinder:
             axes[0] = T(k.centre[0]) + (path[0] - T(k.centre[0])) * T(kDeg / k.value[0]);
             return true;
@@ -62,11 +66,13 @@ bool map(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRole
             return true;
         }
         case KinematicsKind::FiveAxis: {
-            const auto linear = five_axis::linear_axes<T>(k, {path[0], path[1], path[2]}, path[3], path[4]);
+            const auto linear =
+                five_axis::linear_axes<T>(k, {path[0], path[1], path[2]}, path[3], path[4]);
             axes = {linear[0], linear[1], linear[2], path[3], path[4]};
             return true;
         }
-        case KinematicsKind::None: break;
+        case KinematicsKind::None:
+            break;
     }
     axes = path;
     return true;
@@ -88,31 +94,46 @@ Branch branch_of(const PathRecord& r, const Kinematics& k, double s) noexcept {
 std::size_t role_count(KinematicsKind kind) noexcept {
     switch (kind) {
         case KinematicsKind::Polar:
-        case KinematicsKind::Inclined: return 2;
-        case KinematicsKind::Cylinder: return 1;
-        case KinematicsKind::FiveAxis: return 5;
-        case KinematicsKind::None: break;
+        case KinematicsKind::Inclined:
+            return 2;
+        case KinematicsKind::Cylinder:
+            return 1;
+        case KinematicsKind::FiveAxis:
+            return 5;
+        case KinematicsKind::None:
+            break;
     }
     return 0;
 }
 
 bool same(const Kinematics& a, const Kinematics& b) noexcept {
-    return a.kind == b.kind && a.axis == b.axis && a.centre == b.centre && a.sign == b.sign && a.shift == b.shift && a.value == b.value;
+    return a.kind == b.kind && a.axis == b.axis && a.centre == b.centre && a.sign == b.sign &&
+           a.shift == b.shift && a.value == b.value;
 }
 
-bool to_axes(const Kinematics& k, const Branch& branch, const RoleValues& path, RoleValues& axes) noexcept { return map(k, branch, path, axes); }
-bool to_axes(const Kinematics& k, const Branch& branch, const RoleJets& path, RoleJets& axes) noexcept { return map(k, branch, path, axes); }
+bool to_axes(const Kinematics& k, const Branch& branch, const RoleValues& path,
+             RoleValues& axes) noexcept {
+    return map(k, branch, path, axes);
+}
+bool to_axes(const Kinematics& k, const Branch& branch, const RoleJets& path,
+             RoleJets& axes) noexcept {
+    return map(k, branch, path, axes);
+}
 
 void to_path(const Kinematics& k, const RoleValues& axes, RoleValues& path) noexcept {
     path = axes;
     switch (kind_of(k)) {
         case KinematicsKind::Polar: {
-            const double x = axes[0] - k.centre[0], angle = (axes[1] - k.centre[1]) * sense_of(k) / kDeg, c = std::cos(angle), s = std::sin(angle);
+            const double x = axes[0] - k.centre[0],
+                         angle = (axes[1] - k.centre[1]) * sense_of(k) / kDeg, c = std::cos(angle),
+                         s = std::sin(angle);
             path[0] = k.centre[0] + x * c - k.value[0] * s;
             path[1] = k.centre[1] + x * s + k.value[0] * c;
             return;
         }
-        case KinematicsKind::Cylinder: path[0] = k.centre[0] + (axes[0] - k.centre[0]) * k.value[0] / kDeg; return;
+        case KinematicsKind::Cylinder:
+            path[0] = k.centre[0] + (axes[0] - k.centre[0]) * k.value[0] / kDeg;
+            return;
         case KinematicsKind::Inclined: {
             const double x = (axes[0] - k.centre[0]) * std::cos(k.value[0]);
             path[0] = k.centre[0] + x;
@@ -124,7 +145,8 @@ void to_path(const Kinematics& k, const RoleValues& axes, RoleValues& path) noex
             std::copy(tip.begin(), tip.end(), path.begin());
             return;
         }
-        case KinematicsKind::None: return;
+        case KinematicsKind::None:
+            return;
     }
 }
 
@@ -144,10 +166,14 @@ std::array<std::size_t, kMaxRoles> slots_of(const PathRecord& r, const Kinematic
     return slots;
 }
 
-RoleValues role_values(const PathRecord& r, const Kinematics& k, const SlotVector& position) noexcept {
+RoleValues role_values(const PathRecord& r, const Kinematics& k,
+                       const SlotVector& position) noexcept {
     const auto slots = slots_of(r, k);
     RoleValues values{};
-    for (std::size_t i = 0; i < kMaxRoles; ++i) values[i] = slots[i] < kMaxPathAxes ? position[slots[i]] : i < k.centre.size() ? k.centre[i] : 0.0;
+    for (std::size_t i = 0; i < kMaxRoles; ++i)
+        values[i] = slots[i] < kMaxPathAxes ? position[slots[i]]
+                    : i < k.centre.size()   ? k.centre[i]
+                                            : 0.0;
     return values;
 }
 
@@ -167,7 +193,8 @@ bool drives_at(const PathRecord& r, const Kinematics* k, double s, SlotVector& d
     return true;
 }
 
-bool drive_derivatives_at(const PathRecord& r, const Kinematics* k, double s, PathDerivatives& out) noexcept {
+bool drive_derivatives_at(const PathRecord& r, const Kinematics* k, double s,
+                          PathDerivatives& out) noexcept {
     derivatives_at(r, s, out);
     if (r.transform == 0) return true;
     if (!k) return false;
@@ -177,7 +204,9 @@ bool drive_derivatives_at(const PathRecord& r, const Kinematics* k, double s, Pa
     const RoleValues here = role_values(r, *k, position);
     RoleJets path, axes;
     for (std::size_t i = 0; i < kMaxRoles; ++i)
-        path[i] = slots[i] == kMaxPathAxes ? Jet(here[i]) : Jet(here[i], out.first[slots[i]], out.second[slots[i]], out.third[slots[i]]);
+        path[i] = slots[i] == kMaxPathAxes ? Jet(here[i])
+                                           : Jet(here[i], out.first[slots[i]], out.second[slots[i]],
+                                                 out.third[slots[i]]);
     if (!to_axes(*k, branch_of(r, *k, s), path, axes)) return false;
     for (std::size_t i = 0; i < kMaxRoles; ++i) {
         if (slots[i] == kMaxPathAxes) continue;

@@ -8,13 +8,16 @@
 
 namespace polyturn {
 
-AngularAxes angular_axes(const params::Table& table, unsigned channel, unsigned axis_count, int x, int z, bool& usable) {
+AngularAxes angular_axes(const params::Table& table, unsigned channel, unsigned axis_count, int x,
+                         int z, bool& usable) {
     AngularAxes axes;
     usable = true;
     if (!params::bit(table, params::f8200, channel, 0)) return axes;
     const double degrees = static_cast<double>(params::get(table, params::f8210, channel));
     const auto named = [&](std::int64_t number, int otherwise) {
-        return number >= 1 && number <= static_cast<std::int64_t>(axis_count) ? static_cast<int>(number - 1) : otherwise;
+        return number >= 1 && number <= static_cast<std::int64_t>(axis_count)
+                   ? static_cast<int>(number - 1)
+                   : otherwise;
     };
     x = named(params::get(table, params::f8211, channel), x);
     z = named(params::get(table, params::f8212, channel), z);

@@ -1,5 +1,6 @@
-// Which kinds of drives a machine asks for beside the simulated ones (PT_DRIVE of its axes, PT_SPINDLE_DRIVE of its spindles):
-// the kernel loads drive.so, the supervisor starts the process of the drives.
+// Which kinds of drives a machine asks for beside the simulated ones (PT_DRIVE of its axes,
+// PT_SPINDLE_DRIVE of its spindles): the kernel loads drive.so, the supervisor starts the process
+// of the drives.
 #pragma once
 #include "ipc/params/table.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "ipc/machine/compensation_tables.hpp"
-#include "ipc/machine/config_check.hpp"
+#include "ipc/machine/bodies/room.hpp"
+#include "ipc/machine/check/config_check.hpp"
+#include "ipc/machine/errors/compensation_tables.hpp"
 #include "ipc/machine/machine_config.hpp"
-#include "ipc/machine/room.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
 #include "ipc/text/read_file.hpp"
@@ -24,14 +24,16 @@ void apply_file(const std::string& path, params::Table& table, std::vector<Diagn
         return;
     }
     params::ParsedFile parsed = params::parse_param_file(*content, path);
-    if (const Result<void> done = params::apply(table, parsed.assignments); !done) diagnoses.push_back(done.diagnosis());
+    if (const Result<void> done = params::apply(table, parsed.assignments); !done)
+        diagnoses.push_back(done.diagnosis());
     append(diagnoses, std::move(parsed.diagnoses));
 }
 
 }  // namespace
 
 bool any_error(const std::vector<Diagnosis>& diagnoses) {
-    return std::any_of(diagnoses.begin(), diagnoses.end(), [](const Diagnosis& d) { return d.severity() == Severity::Error; });
+    return std::any_of(diagnoses.begin(), diagnoses.end(),
+                       [](const Diagnosis& d) { return d.severity() == Severity::Error; });
 }
 
 bool LoadedMachine::ok() const { return !any_error(diagnoses); }
@@ -51,11 +53,13 @@ LoadedMachine load_machine_file(const std::string& machine) {
     return loaded;
 }
 
-void apply_overrides(const MachineSource& source, params::Table& table, std::vector<Diagnosis>& diagnoses) {
+void apply_overrides(const MachineSource& source, params::Table& table,
+                     std::vector<Diagnosis>& diagnoses) {
     for (const std::string& file : source.param_files) apply_file(file, table, diagnoses);
     for (const std::string& line : source.sets) {
         const Result<params::Assignment> assignment = params::parse_assignment(line);
-        Result<void> done = assignment ? params::apply(table, {&*assignment, 1}) : Result<void>(assignment.diagnosis());
+        Result<void> done = assignment ? params::apply(table, {&*assignment, 1})
+                                       : Result<void>(assignment.diagnosis());
         if (done) continue;
         if (done.diagnosis().place.file.empty()) done.diagnosis().place.file = "--set";
         diagnoses.push_back(done.diagnosis());
@@ -64,14 +68,17 @@ void apply_overrides(const MachineSource& source, params::Table& table, std::vec
 
 LoadedMachine load_machine(const MachineSource& source) {
     LoadedMachine loaded = load_machine_file(source.machine);
-    // Bodies that cannot be are refused here, for the kernel would guard against others than the machine has. They are judged by the
-    // machine's own file: an axis that one run takes away leaves its place in the room empty.
-    if (loaded.ok()) (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
+    // Bodies that cannot be are refused here, for the kernel would guard against others than the
+    // machine has. They are judged by the machine's own file: an axis that one run takes away
+    // leaves its place in the room empty.
+    if (loaded.ok())
+        (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
     apply_overrides(source, *loaded.table, loaded.diagnoses);
     if (loaded.ok()) append(loaded.diagnoses, check_machine_config(*loaded.table));
     if (loaded.ok()) {
         const std::string file = compensation_file_of(loaded.params_file);
-        check_compensation_tables(*loaded.table, load_compensation(file, loaded.diagnoses), file, loaded.diagnoses);
+        check_compensation_tables(*loaded.table, load_compensation(file, loaded.diagnoses), file,
+                                  loaded.diagnoses);
     }
     return loaded;
 }

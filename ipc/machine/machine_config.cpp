@@ -11,7 +11,7 @@ namespace {
 using namespace params;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t kMeasuredOnly = 99;   // N0002
+constexpr std::int64_t kMeasuredOnly = 99;  // N0002
 
 template <std::size_t kSize>
 void copy_text(char (&to)[kSize], std::string_view from) noexcept {
@@ -77,7 +77,8 @@ AxisConfig axis_config(const Table& t, unsigned a, const MachineConfig& machine)
     if (assigned && !machine.channel(static_cast<std::size_t>(owner)).exists()) return x;
     x.number = static_cast<std::uint16_t>(a);
     x.channel = assigned ? static_cast<std::uint16_t>(owner) : std::uint16_t{0};
-    put_name(x.name, get(t, n0100_axis_name1, a), get(t, n0101_axis_name2, a), get(t, n0102_axis_name3, a));
+    put_name(x.name, get(t, n0100_axis_name1, a), get(t, n0101_axis_name2, a),
+             get(t, n0102_axis_name3, a));
     const std::int64_t role = get(t, n0103_axis_to_plane, a);
     x.role = role == 4 ? PlaneRole::None : static_cast<PlaneRole>(role);
     x.rotary = bit(t, n0106_axis_properties, a, 1);
@@ -86,7 +87,8 @@ AxisConfig axis_config(const Table& t, unsigned a, const MachineConfig& machine)
     x.indexed = bit(t, n0106_axis_properties, a, 3);
     x.measured_only = !assigned || bit(t, n0106_axis_properties, a, 4);
     x.hypothetical = bit(t, n0106_axis_properties, a, 7);
-    x.rollover = x.rotary && bit(t, n0107_rollover_control, a, 0) && get(t, n0108_rollamount, a) > 0;
+    x.rollover =
+        x.rotary && bit(t, n0107_rollover_control, a, 0) && get(t, n0108_rollamount, a) > 0;
     x.rollover_shortest = bit(t, n0107_rollover_control, a, 1);
     x.rollover_sign_is_direction = bit(t, n0107_rollover_control, a, 2) && !x.rollover_shortest;
     x.rollover_reduces_increments = bit(t, n0107_rollover_control, a, 3);
@@ -95,10 +97,12 @@ AxisConfig axis_config(const Table& t, unsigned a, const MachineConfig& machine)
     const double unit = x.rotary || !assigned ? 1.0 : machine.channel(x.channel).length_unit_mm();
     x.index_step_mm = get(t, n0110_indexing_amount, a) * unit;
     x.reference_mm = {reference_position(t, a) * unit, get(t, n0201_reference_position2, a) * unit,
-                      get(t, n0202_reference_position3, a) * unit, get(t, n0203_reference_position4, a) * unit};
+                      get(t, n0202_reference_position3, a) * unit,
+                      get(t, n0203_reference_position4, a) * unit};
     x.limits = axis_limits(t, a, unit);
-    x.stroke = {bit(t, n1000_range_enable, a, 0), get(t, n1002_range1a_positive, a) * unit, get(t, n1003_range1a_negative, a) * unit,
-                get(t, n1004_range1b_positive, a) * unit, get(t, n1005_range1b_negative, a) * unit};
+    x.stroke = {bit(t, n1000_range_enable, a, 0), get(t, n1002_range1a_positive, a) * unit,
+                get(t, n1003_range1a_negative, a) * unit, get(t, n1004_range1b_positive, a) * unit,
+                get(t, n1005_range1b_negative, a) * unit};
     x.position_gain_1_s = get(t, n0504_position_gain, a);
     x.feed_forward = bit(t, n0515_feed_forward_control, a, 0) ? get(t, n0511_feedforward, a) : 0.0;
     x.in_position_mm = get(t, n0516_inpos, a) * unit;
@@ -147,14 +151,20 @@ void find_shared_drives(MachineConfig& machine, const Table& t) noexcept {
         const std::int64_t address = get(t, n0503_axis_output_address, x.number);
         if (address == 0) continue;
         for (const SpindleConfig& s : machine.spindles)
-            if (s.exists() && get(t, n0603_spindle_output_address, s.number) == address) { x.on_spindle = s.number; break; }
+            if (s.exists() && get(t, n0603_spindle_output_address, s.number) == address) {
+                x.on_spindle = s.number;
+                break;
+            }
     }
 }
 
 std::uint16_t count_and_last(const auto& items, std::uint16_t& last) noexcept {
     std::uint16_t count = 0;
     for (const auto& item : items)
-        if (item.exists()) { ++count; last = item.number; }
+        if (item.exists()) {
+            ++count;
+            last = item.number;
+        }
     return count;
 }
 
@@ -179,21 +189,27 @@ MachineConfig derive_machine_config(const Table& table) noexcept {
     for (const AxisConfig& x : m.axes)
         if (x.channel != 0) owns[x.channel - 1u] = true;
     const auto tick_us = get(table, n0005_nc_cycle_time);
-    m.tick_us = tick_us > 0 ? static_cast<std::uint32_t>(tick_us) : auto_tick_us(static_cast<std::size_t>(std::count(owns.begin(), owns.end(), true)));
+    m.tick_us =
+        tick_us > 0
+            ? static_cast<std::uint32_t>(tick_us)
+            : auto_tick_us(static_cast<std::size_t>(std::count(owns.begin(), owns.end(), true)));
     m.wait_code_min = static_cast<double>(get(table, n2201_waiting_m_codes_min));
     m.wait_code_max = static_cast<double>(get(table, n2202_waiting_m_codes_max));
 
     for (ChannelConfig& c : m.channels) {
         if (!c.exists()) continue;
         const auto spindle = get(table, n0604_default_spindle, c.number);
-        if (spindle >= 1 && spindle <= static_cast<std::int64_t>(kMaxSpindles) && m.spindle(static_cast<std::size_t>(spindle)).exists())
+        if (spindle >= 1 && spindle <= static_cast<std::int64_t>(kMaxSpindles) &&
+            m.spindle(static_cast<std::size_t>(spindle)).exists())
             c.default_spindle = static_cast<std::uint16_t>(spindle);
         const auto axis = get(table, n0687_default_g96_axis, c.number);
-        if (axis >= 1 && axis <= static_cast<std::int64_t>(kMaxAxes) && m.axis(static_cast<std::size_t>(axis)).channel == c.number)
+        if (axis >= 1 && axis <= static_cast<std::int64_t>(kMaxAxes) &&
+            m.axis(static_cast<std::size_t>(axis)).channel == c.number)
             c.surface_speed_axis = static_cast<std::uint16_t>(axis);
         // Without the parameter the diameter is that of the channel's basic X axis.
         if (axis == 0)
-            if (const AxisConfig* x = find_axis(m, c.number, PlaneRole::BasicX)) c.surface_speed_axis = x->number;
+            if (const AxisConfig* x = find_axis(m, c.number, PlaneRole::BasicX))
+                c.surface_speed_axis = x->number;
     }
     return m;
 }
@@ -205,14 +221,16 @@ std::uint32_t MachineConfig::channels_of_group(std::size_t group) const noexcept
     return mask;
 }
 
-const AxisConfig* find_axis(const MachineConfig& machine, std::size_t channel, std::string_view name) noexcept {
+const AxisConfig* find_axis(const MachineConfig& machine, std::size_t channel,
+                            std::string_view name) noexcept {
     if (channel < 1 || channel > kMaxChannels) return nullptr;
     for (const std::uint16_t number : machine.channel(channel).axis_numbers())
         if (machine.axis(number).name_text() == name) return &machine.axis(number);
     return nullptr;
 }
 
-const AxisConfig* find_axis(const MachineConfig& machine, std::size_t channel, PlaneRole role) noexcept {
+const AxisConfig* find_axis(const MachineConfig& machine, std::size_t channel,
+                            PlaneRole role) noexcept {
     if (channel < 1 || channel > kMaxChannels) return nullptr;
     for (const std::uint16_t number : machine.channel(channel).axis_numbers())
         if (machine.axis(number).role == role) return &machine.axis(number);

@@ -1,5 +1,6 @@
-// What must hold before a program may start, as the operator reads it: the kernel judges (kernel/cyclic/start_conditions.cpp, row
-// by row the same order), ChannelStatus::start_missing shows which rows fail.
+// What must hold before a program may start, as the operator reads it: the kernel judges
+// (kernel/gate/start_conditions.cpp, row by row the same order), ChannelStatus::start_missing shows
+// which rows fail.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,8 +9,8 @@
 namespace polyturn {
 
 struct StartWords {
-    std::string_view name;    // for tests and documents
-    std::string_view text;    // what is missing; of an axis or spindle, its name stands before it
+    std::string_view name;  // for tests and documents
+    std::string_view text;  // what is missing; of an axis or spindle, its name stands before it
     std::string_view remedy;
 };
 
@@ -19,7 +20,8 @@ inline constexpr std::array<StartWords, 22> kStartWords{{
     {"machine_on", "the machine is not switched on", "switch it on"},
     {"no_stop", "everything was stopped by an alarm", "remove its cause and reset"},
     {"store", "the store is dead: nothing would be kept", "wait until it runs again"},
-    {"store_whole", "the store has lost data: no production", "restore a backup, or let a maker confirm what is left"},
+    {"store_whole", "the store has lost data: no production",
+     "restore a backup, or let a maker confirm what is left"},
     {"reset_over", "the reset is not over", "wait until the axes rest"},
     {"by_hand", "an axis is being moved by hand", "wait until it rests"},
     {"back_on_path", "axes were moved in the hold", "press return"},
@@ -35,7 +37,8 @@ inline constexpr std::array<StartWords, 22> kStartWords{{
     {"referenced", "not referenced", "reference it"},
     {"program", "no program is selected", "select one on the page of programs"},
     {"block", "no block is entered", "enter one, or choose auto"},
-    {"restart", "not all channels of the restart are at their blocks", "wait for them; if it was refused, restart again or reset"},
+    {"restart", "not all channels of the restart are at their blocks",
+     "wait for them; if it was refused, restart again or reset"},
 }};
 
 // The bit of a row in ChannelStatus::start_missing.

@@ -6,7 +6,7 @@
 
 namespace polyturn {
 
-inline constexpr int kWaitAtProgramEnd = 100;   // code of WAITE
+inline constexpr int kWaitAtProgramEnd = 100;  // code of WAITE
 
 inline std::string wait_name(Dialect language, int code) {
     if (language != Dialect::Sinumerik) return "M" + std::to_string(code);

@@ -1,13 +1,14 @@
-// Where a controller listens for requests, and how whoever asks makes sure that it is the controller that he speaks to: passwords
-// go through this socket.
+// Where a controller listens for requests, and how whoever asks makes sure that it is the
+// controller that he speaks to: passwords go through this socket.
 //
-// The socket NAME.sock stands in a folder that belongs to the controller's user and that nobody else can write (checked on the open
-// folder): $RUNTIME_DIRECTORY (a service of systemd), /run/polyturn (root), $XDG_RUNTIME_DIR/polyturn, or /tmp/polyturn-UID. Users
-// of the controller who cannot reach that folder come by the abstract name "@polyturn.NAME", which everybody may take: without it
-// the controller runs all the same.
+// The socket NAME.sock stands in a folder that belongs to the controller's user and that nobody
+// else can write (checked on the open folder): $RUNTIME_DIRECTORY (a service of systemd),
+// /run/polyturn (root), $XDG_RUNTIME_DIR/polyturn, or /tmp/polyturn-UID. Users of the controller
+// who cannot reach that folder come by the abstract name "@polyturn.NAME", which everybody may
+// take: without it the controller runs all the same.
 //
-// Whoever asks looks who listens (SO_PEERCRED) before he sends anything: only who is believed (trusted_owner.hpp) is told anything.
-// Everybody else is passed over, as if he did not listen.
+// Whoever asks looks who listens (SO_PEERCRED) before he sends anything: only who is believed
+// (trusted_owner.hpp) is told anything. Everybody else is passed over, as if he did not listen.
 #pragma once
 #include <string>
 #include <string_view>
@@ -25,9 +26,11 @@ public:
     ControllerDoor& operator=(ControllerDoor&&) = delete;
     ~ControllerDoor();
 
-    const std::vector<int>& listeners() const { return listeners_; }   // non-blocking; at least one
-    const std::string& path() const { return path_; }                  // empty: there is no folder for it
-    bool name_is_foreign() const { return foreign_; }                  // somebody else listens at the abstract name
+    const std::vector<int>& listeners() const { return listeners_; }  // non-blocking; at least one
+    // empty: there is no folder for it
+    const std::string& path() const { return path_; }
+    // somebody else listens at the abstract name
+    bool name_is_foreign() const { return foreign_; }
 
 private:
     ControllerDoor() = default;
@@ -36,7 +39,8 @@ private:
     bool foreign_ = false;
 };
 
-// Connected to the controller of this name. SegmentMissing: nobody listens; InstanceForeign: somebody does who must not be told anything.
+// Connected to the controller of this name. SegmentMissing: nobody listens; InstanceForeign:
+// somebody does who must not be told anything.
 Result<int> connect_to_controller(const std::string& instance, bool blocking);
 
 // Files of sockets at which nobody listens any more, of this user's folders; they are removed.

@@ -20,7 +20,8 @@ static inline void cpu_pause() {
 
 void Doorbell::wake() const noexcept {
     // Shared futex (no FUTEX_PRIVATE_FLAG): the waiters are other processes.
-    syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&rings), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+    syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&rings), FUTEX_WAKE, INT_MAX, nullptr,
+            nullptr, 0);
 }
 
 void Doorbell::ring() noexcept {
@@ -34,7 +35,8 @@ void Doorbell::wait(std::uint32_t seen_value, std::int64_t timeout_us, int spins
         cpu_pause();
     }
     timespec limit{timeout_us / 1'000'000, static_cast<long>(timeout_us % 1'000'000) * 1000};
-    syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&rings), FUTEX_WAIT, seen_value, timeout_us < 0 ? nullptr : &limit, nullptr, 0);
+    syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&rings), FUTEX_WAIT, seen_value,
+            timeout_us < 0 ? nullptr : &limit, nullptr, 0);
 }
 
 }  // namespace polyturn

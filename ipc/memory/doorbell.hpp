@@ -1,5 +1,6 @@
-// Wake-up across processes: a word in the ringer's own segment that only grows. Who waits maps it read-only; a futex
-// wait needs no more. Losing no wake-up: read the word, look for work, wait only while the word is still what was read.
+// Wake-up across processes: a word in the ringer's own segment that only grows. Who waits maps it
+// read-only; a futex wait needs no more. Losing no wake-up: read the word, look for work, wait only
+// while the word is still what was read.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -8,11 +9,13 @@ namespace polyturn {
 
 struct Doorbell {
     alignas(64) std::atomic<std::uint32_t> rings{0};
-    // Ringer. Costs a system call; the cyclic thread in real time uses bump() and leaves the wake to wake().
+    // Ringer. Costs a system call; the cyclic thread in real time uses bump() and leaves the wake
+    // to wake().
     void ring() noexcept;
     void bump() noexcept { rings.fetch_add(1, std::memory_order_release); }
     void wake() const noexcept;
-    // Waiter. Returns when the word differs from `seen`, after `timeout_us`, or spuriously. Spins `spins` times first.
+    // Waiter. Returns when the word differs from `seen`, after `timeout_us`, or spuriously. Spins
+    // `spins` times first.
     void wait(std::uint32_t seen, std::int64_t timeout_us, int spins = 0) const noexcept;
     std::uint32_t seen() const noexcept { return rings.load(std::memory_order_acquire); }
 };

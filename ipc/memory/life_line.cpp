@@ -14,9 +14,9 @@
 namespace polyturn {
 namespace {
 
-constexpr int kKernelMostMs = 180'000;   // more than it takes itself (Machine::kLeftAloneMostS)
-constexpr int kGraceMs = 5'000;          // for what brings something to the disk
-constexpr auto kPatience = std::chrono::seconds(30);
+constexpr int kKernelMostMs = 180'000;  // more than it takes itself (Machine::kLeftAloneMostS)
+constexpr int kGraceMs = 5'000;         // for what brings something to the disk
+constexpr auto kTimeout = std::chrono::seconds(30);
 
 int open_process(int pid) { return static_cast<int>(syscall(SYS_pidfd_open, pid, 0)); }
 
@@ -57,11 +57,15 @@ void end_with_kernel(const std::string& instance) {
     const int supervisor = supervisor_of_this();
     if (supervisor <= 0) return;
     std::thread([supervisor, instance] {
-        // Held before it dies: a successor of the supervisor takes the name for a segment of its own.
-        auto table = PeerSegment<SupervisorSegment>::attach(instance, 0, kPatience);
+        // Held before it dies: a successor of the supervisor takes the name for a segment of its
+        // own.
+        auto table = PeerSegment<SupervisorSegment>::attach(instance, 0, kTimeout);
         wait_for_parent(supervisor);
-        const int kernel = table && (*table)->header.writer_pid == supervisor ? (*table)->processes[kProcessKernel].pid : 0;
-        if (kernel > 0 && !wait_for_end(kernel, kKernelMostMs)) kill(kernel, SIGKILL);   // it hangs: the drives' watchdogs stop what moves
+        const int kernel = table && (*table)->header.writer_pid == supervisor
+                               ? (*table)->processes[kProcessKernel].pid
+                               : 0;
+        // it hangs: the drives' watchdogs stop what moves
+        if (kernel > 0 && !wait_for_end(kernel, kKernelMostMs)) kill(kernel, SIGKILL);
         kill(getpid(), SIGTERM);
         sleep_ms(kGraceMs);
         _exit(0);

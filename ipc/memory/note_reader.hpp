@@ -1,6 +1,7 @@
-// The supervisor's half of a note ring (note_ring.hpp). The bytes are another process's, and nothing of them is believed: a head
-// that stands nowhere or a size that leads out of the ring ends the reading for good, and what is added meanwhile waits for the
-// next reader, so that no writer can keep this one busy.
+// The supervisor's half of a note ring (note_ring.hpp). The bytes are another process's, and
+// nothing of them is believed: a head that stands nowhere or a size that leads out of the ring ends
+// the reading for good, and what is added meanwhile waits for the next reader, so that no writer
+// can keep this one busy.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -21,18 +22,24 @@ public:
     // The oldest note, copied: its writer may go on writing.
     [[nodiscard]] Taken take(std::uint64_t& number, std::string& text) {
         std::uint64_t tail = tail_->load(std::memory_order_relaxed);
-        if (head_ < tail || head_ - tail > kNoteRing || head_ % 8 != 0 || tail % 8 != 0) return Taken::Broken;
+        if (head_ < tail || head_ - tail > kNoteRing || head_ % 8 != 0 || tail % 8 != 0)
+            return Taken::Broken;
         if (tail == head_) return Taken::None;
         std::uint64_t at = tail & (kNoteRing - 1);
         std::uint32_t size = size_at(at);
-        if (size == 0) {   // the rest up to the end is skipped
-            tail += kNoteRing - at, at = 0;
+        if (size == 0) {  // the rest up to the end is skipped
+            tail += kNoteRing - at;
+            at = 0;
             if (tail > head_) return Taken::Broken;
-            if (tail == head_) return tail_->store(tail, std::memory_order_release), Taken::None;
+            if (tail == head_) {
+                tail_->store(tail, std::memory_order_release);
+                return Taken::None;
+            }
             size = size_at(at);
         }
         const std::uint64_t need = (16 + std::uint64_t{size} - 1 + 7) & ~std::uint64_t{7};
-        if (size == 0 || size - 1 > kLongest || need > kNoteRing - at || need > head_ - tail) return Taken::Broken;
+        if (size == 0 || size - 1 > kLongest || need > kNoteRing - at || need > head_ - tail)
+            return Taken::Broken;
         std::memcpy(&number, &half_->bytes[at + 8], 8);
         text.assign(&half_->bytes[at + 16], size - 1);
         tail_->store(tail + need, std::memory_order_release);

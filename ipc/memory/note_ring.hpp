@@ -1,10 +1,13 @@
-// Event notes on their way from a channel to the supervisor: for each block that is worth an event the text that
-// describes it (a JSON object without its time), because only the channel knows the workpiece system, tool and cycle.
-// The kernel later reports the note's number when the record begins and ends.
+// Event notes on their way from a channel to the supervisor: for each block that is worth an event
+// the text that describes it (a JSON object without its time), because only the channel knows the
+// workpiece system, tool and cycle. The kernel later reports the note's number when the record
+// begins and ends.
 //
-//   byte stream:  | size u32 | number u64 | text ... padded to 8 |  size 0: the rest up to the end is skipped
+//   byte stream:  | size u32 | number u64 | text ... padded to 8 |  size 0: the rest up to the end
+//   is skipped
 //
-// One producer, one consumer; head and bytes in the channel's segment, tail in the supervisor's. Same orders as SpscRing.
+// One producer, one consumer; head and bytes in the channel's segment, tail in the supervisor's.
+// Same orders as SpscRing.
 #pragma once
 #include <array>
 #include <atomic>
@@ -23,7 +26,8 @@ struct NoteHead {
 
 class NoteWriter {
 public:
-    NoteWriter(NoteHead& half, const std::atomic<std::uint64_t>& tail) : half_(&half), tail_(&tail) {}
+    NoteWriter(NoteHead& half, const std::atomic<std::uint64_t>& tail)
+        : half_(&half), tail_(&tail) {}
     // False when there is no room: wait for the reader. Texts up to a quarter of the ring.
     [[nodiscard]] bool push(std::uint64_t number, std::string_view text) noexcept {
         const std::uint64_t need = (16 + text.size() + 7) & ~std::uint64_t{7};
@@ -31,7 +35,10 @@ public:
         const std::uint64_t at = head & (kNoteRing - 1), to_end = kNoteRing - at;
         const std::uint64_t skip = to_end < need ? to_end : 0;
         if (head + skip + need - tail_->load(std::memory_order_acquire) > kNoteRing) return false;
-        if (skip) std::memset(&half_->bytes[at], 0, 8), head += skip;
+        if (skip) {
+            std::memset(&half_->bytes[at], 0, 8);
+            head += skip;
+        }
         char* to = &half_->bytes[head & (kNoteRing - 1)];
         const auto size = static_cast<std::uint32_t>(text.size() + 1);  // never 0
         std::memcpy(to, &size, 4);
@@ -48,7 +55,8 @@ private:
 
 class NoteReader {
 public:
-    NoteReader(const NoteHead& half, std::atomic<std::uint64_t>& tail) : half_(&half), tail_(&tail) {}
+    NoteReader(const NoteHead& half, std::atomic<std::uint64_t>& tail)
+        : half_(&half), tail_(&tail) {}
     // The oldest note, good until pop(). False when there is none.
     [[nodiscard]] bool front(std::uint64_t& number, std::string_view& text) noexcept {
         auto tail = tail_->load(std::memory_order_relaxed);

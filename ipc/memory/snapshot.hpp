@@ -5,11 +5,13 @@
 //
 // Invariants
 //   S1  Only the writer stores version_ and the slots.
-//   S2  The published slot is not written before another one is published. A writer killed at any store therefore
+//   S2  The published slot is not written before another one is published. A writer killed at any
+//   store therefore
 //       leaves the last complete value readable.
-// A reader that is overtaken twice while it copies sees it by the version and copies again; it waits for nobody, and
-// the bound on its tries only matters to a reader that is slower than two publications, each time.
-// Memory order: slot written, version_ released -> version_ acquired, slot copied, fence, version_ checked.
+// A reader that is overtaken twice while it copies sees it by the version and copies again; it
+// waits for nobody, and the bound on its tries only matters to a reader that is slower than two
+// publications, each time. Memory order: slot written, version_ released -> version_ acquired, slot
+// copied, fence, version_ checked.
 #pragma once
 #include <array>
 #include <atomic>
@@ -26,13 +28,19 @@ class Snapshot {
 public:
     // Writer: the slot to fill (it holds an older value), then publish().
     T& draft() noexcept { return slots_[(version_.load(std::memory_order_relaxed) + 1) & 1]; }
-    const T& published() const noexcept { return slots_[version_.load(std::memory_order_relaxed) & 1]; }
+    const T& published() const noexcept {
+        return slots_[version_.load(std::memory_order_relaxed) & 1];
+    }
     void publish() noexcept {
         version_.store(version_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-        // Stores into the next draft stay behind this one: else a reader could miss that its slot is being filled.
+        // Stores into the next draft stay behind this one: else a reader could miss that its slot
+        // is being filled.
         std::atomic_thread_fence(std::memory_order_release);
     }
-    void write(const T& value) noexcept { draft() = value; publish(); }
+    void write(const T& value) noexcept {
+        draft() = value;
+        publish();
+    }
 
     std::uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
     // Reader: false only if the writer published twice during each of 64 copies.
@@ -42,7 +50,8 @@ public:
             std::memcpy(static_cast<void*>(&out), &slots_[before & 1], sizeof(T));
             std::atomic_thread_fence(std::memory_order_acquire);
             if (version_.load(std::memory_order_relaxed) - before < 1) return true;
-            // One publication later the copied slot is still untouched (S2), unless the next draft has begun: copy again.
+            // One publication later the copied slot is still untouched (S2), unless the next draft
+            // has begun: copy again.
         }
         return false;
     }

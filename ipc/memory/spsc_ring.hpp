@@ -1,5 +1,6 @@
-// A ring between exactly one producing and one consuming process, in two halves, because every byte of shared memory
-// has one writer: head and slots lie in the producer's segment, the tail in the consumer's.
+// A ring between exactly one producing and one consuming process, in two halves, because every byte
+// of shared memory has one writer: head and slots lie in the producer's segment, the tail in the
+// consumer's.
 //
 //        tail: next to take               head: next to fill
 //         v                                v
@@ -48,7 +49,8 @@ struct RingTail {
 template <class Half>
 class RingProducer {
 public:
-    RingProducer(Half& half, const RingTail& tail) : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_acquire)) {}
+    RingProducer(Half& half, const RingTail& tail)
+        : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_acquire)) {}
     // The slot to fill next, nullptr when the ring is full. Nothing is sent before commit().
     [[nodiscard]] typename Half::value_type* claim() noexcept {
         const auto head = half_->head.load(std::memory_order_relaxed);
@@ -58,7 +60,11 @@ public:
         }
         return &half_->slot(head);
     }
-    void commit() noexcept { half_->head.store(half_->head.load(std::memory_order_relaxed) + 1, std::memory_order_release); }  // P1
+    // P1
+    void commit() noexcept {
+        half_->head.store(half_->head.load(std::memory_order_relaxed) + 1,
+                          std::memory_order_release);
+    }
     [[nodiscard]] bool push(const typename Half::value_type& record) noexcept {
         auto* slot = claim();
         if (!slot) return false;
@@ -79,17 +85,25 @@ template <class Half>
 class RingConsumer {
 public:
     // A successor goes on where `tail` stands.
-    RingConsumer(const Half& half, RingTail& tail) : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_relaxed)) {}
+    RingConsumer(const Half& half, RingTail& tail)
+        : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_relaxed)) {}
     // The oldest record, good until pop(); nullptr when there is none.
     [[nodiscard]] const typename Half::value_type* front() noexcept {
         const auto tail = tail_->tail.load(std::memory_order_relaxed);
         if (tail == seen_) {
             seen_ = half_->head.load(std::memory_order_acquire);  // P1
-            if (tail >= seen_) { seen_ = tail; return nullptr; }
+            if (tail >= seen_) {
+                seen_ = tail;
+                return nullptr;
+            }
         }
         return &half_->slot(tail);
     }
-    void pop() noexcept { tail_->tail.store(tail_->tail.load(std::memory_order_relaxed) + 1, std::memory_order_release); }  // P2
+    // P2
+    void pop() noexcept {
+        tail_->tail.store(tail_->tail.load(std::memory_order_relaxed) + 1,
+                          std::memory_order_release);
+    }
     std::uint64_t tail() const noexcept { return tail_->tail.load(std::memory_order_relaxed); }
 
 private:

@@ -1,4 +1,5 @@
-// The way back: a table as parameter lines that read in again to the same table, and the difference of two tables.
+// The way back: a table as parameter lines that read in again to the same table, and the difference
+// of two tables.
 #pragma once
 
 #include <string>
@@ -19,9 +20,12 @@ enum class Content : std::uint8_t {
 // The lines of one row, without its group.
 [[nodiscard]] std::string export_row(const Row& row, const Table& table, Content content);
 
-// One value as a parameter line has it: shortest digits that read back exactly, texts quoted where needed.
-[[nodiscard]] std::string value_text(const Row& row, const Table& table, unsigned instance, unsigned element = 0);
-// What `params get` prints last; for a target that names several values they must be alike, else one line each.
+// One value as a parameter line has it: shortest digits that read back exactly, texts quoted where
+// needed.
+[[nodiscard]] std::string value_text(const Row& row, const Table& table, unsigned instance,
+                                     unsigned element = 0);
+// What `params get` prints last; for a target that names several values they must be alike, else
+// one line each.
 [[nodiscard]] std::string value_text(const Table& table, const Target& target);
 // "N1300 L1", "MD20150[5]": the left side of a line.
 [[nodiscard]] std::string target_text(const Target& target);

@@ -1,6 +1,7 @@
-// What a parameter is, and the typed handle through which the machine reads it.
-// A handle is a constant of the program, generated from parameters.csv (polyturn/parameter_handles.hpp in the build tree):
-// reading through it is one array access, without a search, so that the cyclic thread may do it at every tick.
+// What a parameter is, and the typed handle through which the machine reads it. A handle is a
+// constant of the program, generated from parameters.csv (polyturn/parameter_handles.hpp in the
+// build tree): reading through it is one array access, without a search, so that the cyclic thread
+// may do it at every tick.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,10 @@ enum class Type : std::uint8_t {
 
 // When a changed value is first used.
 enum class Effect : std::uint8_t {
-    Tick,     // at the next tick
-    Barrier,  // when the channel concerned is next at a barrier: what it has already pushed keeps the old value
+    Tick,  // at the next tick
+    // when the channel concerned is next at a barrier: what it has already pushed keeps the old
+    // value
+    Barrier,
     Restart,  // at the next start of the controller
 };
 
@@ -62,25 +65,30 @@ constexpr char scope_letter(Scope scope) noexcept {
     return '\0';
 }
 
-// One parameter of the table, its scope and type known to the compiler: a spindle parameter read with a text handle,
-// or a global one read with an index, does not compile.
+// One parameter of the table, its scope and type known to the compiler: a spindle parameter read
+// with a text handle, or a global one read with an index, does not compile.
 template <Scope kScopeOf, Type kTypeOf>
 struct Handle {
     static constexpr Scope kScope = kScopeOf;
     static constexpr Type kType = kTypeOf;
     std::uint32_t first_slot;  // of instance 1, element 0
     std::uint16_t row;         // index in rows()
-    std::uint16_t array;       // elements per instance; 1 unless the name is indexed, as in MD20150[5]
-    std::uint16_t series;      // how many alike rows begin here: 8 at the first of eight gear ranges
+    // elements per instance; 1 unless the name is indexed, as in MD20150[5]
+    std::uint16_t array;
+    // how many alike rows begin here: 8 at the first of eight gear ranges
+    std::uint16_t series;
 };
 
-// Number `n` (from 1) of the series that begins at `first`: nth(n0650_r1_s_max, 3) is the row for gear range 3.
-// The generator lays alike rows with consecutive numbers side by side. n outside the series is our mistake and traps.
+// Number `n` (from 1) of the series that begins at `first`: nth(n0650_r1_s_max, 3) is the row for
+// gear range 3. The generator lays alike rows with consecutive numbers side by side. n outside the
+// series is our mistake and traps.
 template <Scope kScope, Type kType>
 constexpr Handle<kScope, kType> nth(Handle<kScope, kType> first, unsigned n) noexcept {
     if (n < 1 || n > first.series) __builtin_trap();
-    return {static_cast<std::uint32_t>(first.first_slot + (n - 1) * instances(kScope) * first.array), static_cast<std::uint16_t>(first.row + n - 1),
-            first.array, static_cast<std::uint16_t>(first.series - (n - 1))};
+    return {
+        static_cast<std::uint32_t>(first.first_slot + (n - 1) * instances(kScope) * first.array),
+        static_cast<std::uint16_t>(first.row + n - 1), first.array,
+        static_cast<std::uint16_t>(first.series - (n - 1))};
 }
 
 }  // namespace polyturn::params

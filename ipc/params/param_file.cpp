@@ -14,7 +14,8 @@
 namespace polyturn::params {
 namespace {
 
-Diagnosis whole_file(Alarm alarm, std::string_view filename, std::uint32_t line, std::string detail) {
+Diagnosis whole_file(Alarm alarm, std::string_view filename, std::uint32_t line,
+                     std::string detail) {
     Diagnosis out;
     out.alarm = alarm;
     out.place = Place{std::string(filename), line, 0, 0};
@@ -41,26 +42,36 @@ bool valid(const Assignment& assignment) {
     const Row* row = assignment.row;
     if (row == nullptr || row < rows().data() || row >= rows().data() + rows().size()) return false;
     if (assignment.instance > instances(row->scope)) return false;
-    if (assignment.element < Target::kEveryElement || assignment.element >= static_cast<int>(row->array)) return false;
-    if (row->type == Type::Text) return utf8::is_printable(assignment.text) && text_allowed(*row, assignment.text);
+    if (assignment.element < Target::kEveryElement ||
+        assignment.element >= static_cast<int>(row->array))
+        return false;
+    if (row->type == Type::Text)
+        return utf8::is_printable(assignment.text) && text_allowed(*row, assignment.text);
     if (assignment.bit != Target::kWhole) {
         if (row->type != Type::Bits || assignment.bit < 0 || assignment.bit > 7) return false;
-        return assignment.number == 0.0 || (assignment.number == 1.0 && (static_cast<unsigned>(row->max) >> assignment.bit & 1U) != 0);
+        return assignment.number == 0.0 ||
+               (assignment.number == 1.0 &&
+                (static_cast<unsigned>(row->max) >> assignment.bit & 1U) != 0);
     }
     // Written so that a NaN, which compares false with everything, is refused.
     const bool inside = assignment.number >= row->min && assignment.number <= row->max;
-    return inside && (row->type == Type::Real || assignment.number == std::trunc(assignment.number));
+    return inside &&
+           (row->type == Type::Real || assignment.number == std::trunc(assignment.number));
 }
 
 void write(Table& table, const Assignment& assignment) {
     const Row& row = *assignment.row;
     const bool every = assignment.instance == Target::kEveryInstance;
-    const unsigned first = every ? 1 : assignment.instance, last = every ? instances(row.scope) : assignment.instance;
+    const unsigned first = every ? 1 : assignment.instance,
+                   last = every ? instances(row.scope) : assignment.instance;
     for (unsigned instance = first; instance <= last; ++instance) {
         if (assignment.axis && get(table, n0100_axis_name1, instance) != assignment.axis) continue;
         for (unsigned element = 0; element < row.array; ++element) {
-            if (assignment.element != Target::kEveryElement && static_cast<int>(element) != assignment.element) continue;
-            const std::size_t slot = row.first_slot + static_cast<std::size_t>(instance - 1) * row.array + element;
+            if (assignment.element != Target::kEveryElement &&
+                static_cast<int>(element) != assignment.element)
+                continue;
+            const std::size_t slot =
+                row.first_slot + static_cast<std::size_t>(instance - 1) * row.array + element;
             if (row.type == Type::Text) {
                 put_text_at(table, slot, assignment.text);
             } else if (assignment.bit != Target::kWhole) {
@@ -79,10 +90,13 @@ void write(Table& table, const Assignment& assignment) {
 bool text_allowed(const Row& row, std::string_view text) noexcept {
     if (text.size() > kTextCapacity) return false;
     const std::size_t characters = utf8::characters(text);
-    if (static_cast<double>(characters) < row.min || static_cast<double>(characters) > row.max) return false;
-    if (row.text_rule == TextRule::Choice) return std::find(row.choices.begin(), row.choices.end(), text) != row.choices.end();
+    if (static_cast<double>(characters) < row.min || static_cast<double>(characters) > row.max)
+        return false;
+    if (row.text_rule == TextRule::Choice)
+        return std::find(row.choices.begin(), row.choices.end(), text) != row.choices.end();
     if (row.text_rule == TextRule::Any || text.empty()) return true;
-    unsigned parts = 0;  // Ipv4: four numbers, no blanks, no leading zeros that could be taken for octal
+    // Ipv4: four numbers, no blanks, no leading zeros that could be taken for octal
+    unsigned parts = 0;
     for (std::string_view rest = text;; ++parts) {
         const std::size_t point = rest.find('.');
         const std::string_view part = rest.substr(0, point);
@@ -99,17 +113,20 @@ bool text_allowed(const Row& row, std::string_view text) noexcept {
 }
 
 bool ParsedFile::ok() const noexcept {
-    return std::none_of(diagnoses.begin(), diagnoses.end(), [](const Diagnosis& one) { return one.severity() == Severity::Error; });
+    return std::none_of(diagnoses.begin(), diagnoses.end(),
+                        [](const Diagnosis& one) { return one.severity() == Severity::Error; });
 }
 
 namespace {
 
-// Warns where a line sets again exactly what a line before it set: usually a copy that was not finished.
+// Warns where a line sets again exactly what a line before it set: usually a copy that was not
+// finished.
 void warn_of_repetitions(ParsedFile& file) {
     using Key = std::tuple<const Row*, unsigned, int, int, char>;
     std::map<Key, std::uint32_t> seen;
     for (const Assignment& one : file.assignments) {
-        const auto [found, first] = seen.try_emplace(Key{one.row, one.instance, one.bit, one.element, one.axis}, one.place.line);
+        const auto [found, first] = seen.try_emplace(
+            Key{one.row, one.instance, one.bit, one.element, one.axis}, one.place.line);
         if (first) continue;
         Diagnosis out;
         out.alarm = Alarm::ParamTwice;
@@ -143,7 +160,8 @@ ParsedFile parse_param_file(std::string_view text, std::string_view filename) {
             continue;
         }
         if (out.diagnoses.size() == kMostDiagnoses) {
-            out.diagnoses.push_back(whole_file(Alarm::ParamSyntax, filename, number, "too many bad lines, the rest was not read"));
+            out.diagnoses.push_back(whole_file(Alarm::ParamSyntax, filename, number,
+                                               "too many bad lines, the rest was not read"));
             return out;
         }
         Diagnosis diagnosis = std::move(result.diagnosis());
@@ -161,8 +179,10 @@ Result<void> apply(Table& table, std::span<const Assignment> assignments) {
         Diagnosis out;
         out.alarm = Alarm::ParamRange;
         out.place = assignment.place;
-        out.detail =
-            assignment.row == nullptr ? std::string("no parameter") : fmt::format("{}, allowed {}", assignment.row->title(), limits_text(*assignment.row));
+        out.detail = assignment.row == nullptr
+                         ? std::string("no parameter")
+                         : fmt::format("{}, allowed {}", assignment.row->title(),
+                                       limits_text(*assignment.row));
         return out;
     }
     for (const Assignment& assignment : assignments) write(table, assignment);

@@ -17,8 +17,8 @@ std::string upper(std::string_view text) {
 
 constexpr std::size_t kLongest = 48;  // longer names are nobody's; bounds the work on rubbish
 
-// Letters changed, added, dropped or swapped with the neighbour to get from one text to the other; `limit` or more once
-// it is clear that it will not be less. Both texts at most kLongest long.
+// Letters changed, added, dropped or swapped with the neighbour to get from one text to the other;
+// `limit` or more once it is clear that it will not be less. Both texts at most kLongest long.
 std::size_t edit_distance(std::string_view from, std::string_view to, std::size_t limit) {
     std::array<std::size_t, kLongest + 1> before{}, above{}, now{};
     for (std::size_t j = 0; j <= to.size(); ++j) above[j] = j;
@@ -28,7 +28,8 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
         for (std::size_t j = 1; j <= to.size(); ++j) {
             const std::size_t change = above[j - 1] + (from[i - 1] == to[j - 1] ? 0 : 1);
             now[j] = std::min({change, above[j] + 1, now[j - 1] + 1});
-            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
+                now[j] = std::min(now[j], before[j - 2] + 1);
             least = std::min(least, now[j]);
         }
         if (least > limit) return least;  // a swap still reaches back one line, hence not >=
@@ -39,9 +40,12 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
 }
 
 // N, F, MD, PT, FG: what stands before the first digit, point or underscore.
-std::string_view family(std::string_view number) { return number.substr(0, number.find_first_of("0123456789._")); }
+std::string_view family(std::string_view number) {
+    return number.substr(0, number.find_first_of("0123456789._"));
+}
 
-// A name that begins as those of one family do is a slip within it; any other may be a slip in the letters.
+// A name that begins as those of one family do is a slip within it; any other may be a slip in the
+// letters.
 bool is_family(std::string_view letters) {
     constexpr std::string_view kFamilies[] = {"N", "F", "MD", "SD", "PT", "FG", "MEFI"};
     return std::find(std::begin(kFamilies), std::end(kFamilies), letters) != std::end(kFamilies);
@@ -67,8 +71,10 @@ struct OtherName {
     std::string_view name, number;
 };
 constexpr OtherName kOtherNames[] = {
-    {"FG.MAXFEED", "N0305"}, {"FG.G00FEED", "N0304"},   // fagor_8037t part 1, 9.3
-    {"MD32000", "N0304"}, {"MD36200", "N0304"},         // sinumerik part 1, 11.1
+    {"FG.MAXFEED", "N0305"},
+    {"FG.G00FEED", "N0304"},  // fagor_8037t part 1, 9.3
+    {"MD32000", "N0304"},
+    {"MD36200", "N0304"},  // sinumerik part 1, 11.1
 };
 
 }  // namespace
@@ -76,10 +82,14 @@ constexpr OtherName kOtherNames[] = {
 const Row* find(std::string_view number) noexcept {
     if (number.size() > kLongest) return nullptr;
     char key[kLongest];
-    std::transform(number.begin(), number.end(), key, [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    std::transform(number.begin(), number.end(), key, [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
     const std::string_view wanted(key, number.size());
     const auto order = detail::kByNumber;
-    const auto found = std::lower_bound(order.begin(), order.end(), wanted, [](std::uint16_t row, std::string_view text) { return rows()[row].number < text; });
+    const auto found = std::lower_bound(
+        order.begin(), order.end(), wanted,
+        [](std::uint16_t row, std::string_view text) { return rows()[row].number < text; });
     if (found == order.end() || rows()[*found].number != wanted) {
         for (const OtherName& other : kOtherNames)
             if (other.name == wanted) return find(other.number);
@@ -96,18 +106,23 @@ std::vector<std::string_view> nearest(std::string_view number, std::size_t count
         std::string_view number;
     };
     if (count == 0) return {};
-    std::vector<Candidate> best;                // ascending, of equals the earlier row first
-    const std::size_t far = wanted.size() + 1;  // more than half of the letters wrong: no resemblance worth showing
+    std::vector<Candidate> best;  // ascending, of equals the earlier row first
+    // more than half of the letters wrong: no resemblance worth showing
+    const std::size_t far = wanted.size() + 1;
     const bool one_family = is_family(family(wanted));
     for (const Row& row : rows()) {
         if (one_family && family(row.number) != family(wanted)) continue;
         const std::size_t limit = best.size() < count ? far : best.back().distance;
-        const std::size_t lengths = std::max(wanted.size(), row.number.size()) - std::min(wanted.size(), row.number.size());
-        const bool zeros = wanted_short == without_leading_zeros(row.number);  // the commonest slip: N304 for N0304
+        const std::size_t lengths =
+            std::max(wanted.size(), row.number.size()) - std::min(wanted.size(), row.number.size());
+        // the commonest slip: N304 for N0304
+        const bool zeros = wanted_short == without_leading_zeros(row.number);
         if (!zeros && 2 * lengths >= limit) continue;
         const std::size_t distance = zeros ? 0 : 2 * edit_distance(wanted, row.number, limit / 2);
         if (distance >= limit) continue;
-        const auto place = std::upper_bound(best.begin(), best.end(), distance, [](std::size_t value, const Candidate& one) { return value < one.distance; });
+        const auto place = std::upper_bound(
+            best.begin(), best.end(), distance,
+            [](std::size_t value, const Candidate& one) { return value < one.distance; });
         best.insert(place, {distance, row.number});
         if (best.size() > count) best.pop_back();
     }

@@ -1,6 +1,7 @@
-// The registry: what is known about each parameter, one row per parameter (architecture 8).
-// The rows come from parameters.csv, see README.md for its columns; the same row gives the handle, the check at import, the
-// HMI's line, the manual's entry and the name in the history. Fixed at build time; nothing here is ever written.
+// The registry: what is known about each parameter, one row per parameter (architecture 8). The
+// rows come from parameters.csv, see README.md for its columns; the same row gives the handle, the
+// check at import, the HMI's line, the manual's entry and the name in the history. Fixed at build
+// time; nothing here is ever written.
 #pragma once
 
 #include <array>
@@ -41,7 +42,8 @@ struct Row {
     Protection protection;
     double min;  // inclusive; for texts the number of characters
     double max;
-    std::uint32_t first_slot;  // slot of (instance, element) = first_slot + (instance - 1) * array + element
+    // slot of (instance, element) = first_slot + (instance - 1) * array + element
+    std::uint32_t first_slot;
     std::uint16_t array;
     std::span<const double> default_numbers;  // one for all elements, or one each; empty for texts
     std::string_view default_text;
@@ -61,7 +63,8 @@ struct Row {
 // The row with this number, whatever its case; nullptr when there is none.
 [[nodiscard]] const Row* find(std::string_view number) noexcept;
 
-// Up to `count` numbers that look most like `number`, best first: what to propose when find() knows nothing.
+// Up to `count` numbers that look most like `number`, best first: what to propose when find() knows
+// nothing.
 [[nodiscard]] std::vector<std::string_view> nearest(std::string_view number, std::size_t count = 3);
 
 [[nodiscard]] std::string_view to_string(Scope scope) noexcept;    // "channel"

@@ -10,6 +10,7 @@ namespace polyturn::params::detail {
 
 // Spans over constant data: ready before any dynamic initialisation.
 extern const std::span<const Row> kRows;
-extern const std::span<const std::uint16_t> kByNumber;  // indices of kRows, numbers ascending by byte
+// indices of kRows, numbers ascending by byte
+extern const std::span<const std::uint16_t> kByNumber;
 
 }  // namespace polyturn::params::detail

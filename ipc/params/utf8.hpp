@@ -1,4 +1,5 @@
-// As much of UTF-8 as parameter lines need: characters to count columns, and what may be stored as a name.
+// As much of UTF-8 as parameter lines need: characters to count columns, and what may be stored as
+// a name.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +8,12 @@
 namespace polyturn::params::utf8 {
 
 // Control characters of ASCII; a name or message must not hold them.
-constexpr bool is_control(char c) noexcept { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+constexpr bool is_control(char c) noexcept {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
 
-// Bytes of the well-formed character that begins at `at`, 0 when none does (overlong forms and surrogates included).
+// Bytes of the well-formed character that begins at `at`, 0 when none does (overlong forms and
+// surrogates included).
 constexpr std::size_t length_at(std::string_view text, std::size_t at) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
     const unsigned char first = byte(0);

@@ -9,7 +9,8 @@ namespace polyturn::text {
 namespace {
 
 // Numbers: kernel/plc/lathe/lathe_plc.hpp.
-constexpr std::string_view kBuiltIn = R"(number,en,ru,cs,hu,cause,remedy,cause.ru,cause.cs,cause.hu,remedy.ru,remedy.cs,remedy.hu
+constexpr std::string_view kBuiltIn =
+    R"(number,en,ru,cs,hu,cause,remedy,cause.ru,cause.cs,cause.hu,remedy.ru,remedy.cs,remedy.hu
 1,the chuck must not open while the spindle turns,патрон нельзя разжать при вращении шпинделя,sklíčidlo se nesmí otevřít za otáčení vřetena,a tokmány forgó orsónál nem nyitható,M11 before the spindle was stopped,"Program M5 before M11.",M11 до останова шпинделя,M11 před zastavením vřetena,M11 az orsó megállása előtt,Запрограммируйте M5 перед M11.,Naprogramujte M5 před M11.,Programozzon M5-öt az M11 elé.
 2,the spindle must not turn with an open chuck,шпиндель нельзя включить при разжатом патроне,vřeteno se nesmí otáčet s otevřeným sklíčidlem,az orsó nyitott tokmánnyal nem foroghat,"M3, M4 or M19 while the chuck is open","Clamp the workpiece with M10 first.",M3 M4 или M19 при разжатом патроне,M3 M4 nebo M19 při otevřeném sklíčidle,M3 M4 vagy M19 nyitott tokmánynál,Сначала зажмите заготовку: M10.,Nejdřív upněte obrobek: M10.,Előbb fogja be a munkadarabot: M10.
 3,the turret has no such station,в револьверной головке нет такой позиции,revolverová hlava nemá tuto pozici,a revolverfejnek nincs ilyen állása,the T word names a station beyond PT_TURRET_STATIONS,"Correct the T word.",слово T называет позицию больше PT_TURRET_STATIONS,slovo T udává pozici nad PT_TURRET_STATIONS,a T szó a PT_TURRET_STATIONS feletti állást nevez meg,Исправьте слово T.,Opravte slovo T.,Javítsa a T szót.
@@ -32,10 +33,15 @@ bool cells_of(std::string_view line, std::vector<std::string>& cells) {
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') cells.back() += '"', ++i;
-        else if (c == '"') quoted = !quoted;
-        else if (c == ',' && !quoted) cells.emplace_back();
-        else if (c != '\r') cells.back() += c;
+        if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
+            cells.back() += '"';
+            ++i;
+        } else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            cells.emplace_back();
+        else if (c != '\r')
+            cells.back() += c;
     }
     return !quoted;
 }
@@ -60,19 +66,29 @@ std::vector<Diagnosis> BuilderMessages::add(std::string_view content, const std:
         const std::string_view line = content.substr(0, end);
         content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
         ++number_of_line;
-        if (line.find_first_not_of(" \t\r") == std::string_view::npos || line.front() == '#' || (number_of_line == 1 && line.starts_with("number"))) continue;
+        if (line.find_first_not_of(" \t\r") == std::string_view::npos || line.front() == '#' ||
+            (number_of_line == 1 && line.starts_with("number")))
+            continue;
         int number = 0;
         const bool whole = cells_of(line, cells);
-        const auto read = std::from_chars(cells[0].data(), cells[0].data() + cells[0].size(), number);
-        const char* why = !whole ? "a quote is not closed" : cells.size() != 7 && cells.size() != 13 ? "seven columns are needed: number, en, ru, cs, hu, cause, remedy; or six more: cause and remedy in ru, cs, hu"
-                        : read.ec != std::errc{} || read.ptr != cells[0].data() + cells[0].size() || number <= 0 ? "the number must be a whole one from 1"
-                        : cells[1].empty() ? "the English text is missing" : nullptr;
+        const auto read =
+            std::from_chars(cells[0].data(), cells[0].data() + cells[0].size(), number);
+        const char* why =
+            !whole ? "a quote is not closed"
+            : cells.size() != 7 && cells.size() != 13
+                ? "seven columns are needed: number, en, ru, cs, hu, cause, remedy; or six more: cause and remedy in ru, cs, hu"
+            : read.ec != std::errc{} || read.ptr != cells[0].data() + cells[0].size() || number <= 0
+                ? "the number must be a whole one from 1"
+            : cells[1].empty() ? "the English text is missing"
+                               : nullptr;
         if (why) {
             faults.push_back({Alarm::BuilderMessageLine, {name, number_of_line, 0, 0}, {}, why});
             continue;
         }
         cells.resize(13);
-        messages_[number] = {{cells[1], cells[2], cells[3], cells[4]}, {cells[5], cells[7], cells[8], cells[9]}, {cells[6], cells[10], cells[11], cells[12]}};
+        messages_[number] = {{cells[1], cells[2], cells[3], cells[4]},
+                             {cells[5], cells[7], cells[8], cells[9]},
+                             {cells[6], cells[10], cells[11], cells[12]}};
     }
     return faults;
 }
@@ -83,13 +99,18 @@ const BuilderMessage* BuilderMessages::find(int number) const {
 }
 
 std::string BuilderMessages::explain(int number, MessageLanguage language, bool remedy) const {
-    static constexpr std::string_view kCause[] = {"; cause: ", "; причина: ", "; příčina: ", "; ok: "};
+    static constexpr std::string_view kCause[] = {
+        "; cause: ", "; причина: ", "; příčina: ", "; ok: "};
     const BuilderMessage* message = find(number);
     if (!message) return {};
     std::string out = ": ";
     out += message->in(language);
-    if (const std::string_view cause = BuilderMessage::own(message->cause, language); !cause.empty()) out += std::string(kCause[static_cast<std::size_t>(language)]).append(cause);
-    if (const std::string_view what = BuilderMessage::own(message->remedy, language); remedy && !what.empty()) out.append(". ").append(what);
+    if (const std::string_view cause = BuilderMessage::own(message->cause, language);
+        !cause.empty())
+        out += std::string(kCause[static_cast<std::size_t>(language)]).append(cause);
+    if (const std::string_view what = BuilderMessage::own(message->remedy, language);
+        remedy && !what.empty())
+        out.append(". ").append(what);
     return out;
 }
 
@@ -99,10 +120,16 @@ std::string BuilderMessages::told_in(std::string text, MessageLanguage language)
     for (const auto& [number, message] : messages_)
         for (const bool remedy : {true, false})
             for (unsigned spoken = 0; spoken < 4; ++spoken) {
-                const std::string told = explain(number, static_cast<MessageLanguage>(spoken), remedy);
-                if (told.size() <= longest) continue;          // one message may begin as another one reads
+                const std::string told =
+                    explain(number, static_cast<MessageLanguage>(spoken), remedy);
+                // one message may begin as another one reads
+                if (told.size() <= longest) continue;
                 const std::size_t at = text.find(told);
-                if (at != std::string::npos) place = at, longest = told.size(), own = explain(number, language, remedy);
+                if (at != std::string::npos) {
+                    place = at;
+                    longest = told.size();
+                    own = explain(number, language, remedy);
+                }
             }
     if (place != std::string::npos) text.replace(place, longest, own);
     return text;

@@ -36,13 +36,16 @@ public:
             else
                 toml_.unknown(key, "name, machine, setup, programs, stock, zeros, tools, parts");
         });
-        if (out.programs.empty()) toml_.fault(Alarm::TextSyntax, root.source(), "a job needs [programs]: which program runs in which channel");
+        if (out.programs.empty())
+            toml_.fault(Alarm::TextSyntax, root.source(),
+                        "a job needs [programs]: which program runs in which channel");
     }
 
 private:
     std::string path(const toml::key& key, const toml::node& node) {
         const auto file = toml_.text(key, node);
-        return file && !file->empty() ? (folder_ / *file).lexically_normal().string() : std::string();
+        return file && !file->empty() ? (folder_ / *file).lexically_normal().string()
+                                      : std::string();
     }
 
     std::optional<unsigned> channel_key(const toml::key& key) {
@@ -68,7 +71,8 @@ private:
                     else
                         toml_.unknown(name, "file, language");
                 });
-                if (program.file.empty()) toml_.fault(Alarm::TextSyntax, one.source(), "the program's file is missing");
+                if (program.file.empty())
+                    toml_.fault(Alarm::TextSyntax, one.source(), "the program's file is missing");
             }
             out.programs[*channel] = std::move(program);
         });
@@ -81,7 +85,8 @@ private:
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
             if (name == "spindle") {
                 stock.spindle = toml_.text(name, value).value_or("");
-                if (stock.spindle.size() < 2 || stock.spindle[0] != 'S') toml_.wrong(name, value, "a spindle such as \"S1\"");
+                if (stock.spindle.size() < 2 || stock.spindle[0] != 'S')
+                    toml_.wrong(name, value, "a spindle such as \"S1\"");
             } else if (name == "diameter")
                 stock.diameter = length(name, value);
             else if (name == "bore")
@@ -114,7 +119,8 @@ private:
                 if (!axes) return;
                 auto& zero = out.zeros[*channel][std::string(system.str())];
                 toml_.each(*axes, [&](const toml::key& axis, const toml::node& value) {
-                    if (const auto number_value = toml_.number(axis, value)) zero[std::string(axis.str())] = *number_value;
+                    if (const auto number_value = toml_.number(axis, value))
+                        zero[std::string(axis.str())] = *number_value;
                 });
             });
         });
@@ -129,7 +135,8 @@ private:
             JobTool tool;
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
                 if (name == "channel")
-                    tool.channel = static_cast<unsigned>(toml_.whole(name, value, 1, kMaxChannels).value_or(0));
+                    tool.channel = static_cast<unsigned>(
+                        toml_.whole(name, value, 1, kMaxChannels).value_or(0));
                 else if (name == "station")
                     tool.station = static_cast<int>(toml_.whole(name, value, 0, 9999).value_or(0));
                 else if (name == "name")
@@ -146,7 +153,8 @@ private:
         if (!table) return;
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
             if (name == "wanted")
-                out.parts_wanted = static_cast<unsigned>(toml_.whole(name, value, 0, 100'000'000).value_or(0));
+                out.parts_wanted =
+                    static_cast<unsigned>(toml_.whole(name, value, 0, 100'000'000).value_or(0));
             else
                 toml_.unknown(name, "wanted");
         });
@@ -158,10 +166,12 @@ private:
 
 }  // namespace
 
-Job parse_job(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses) {
+Job parse_job(std::string_view content, std::string_view filename,
+              std::vector<Diagnosis>& diagnoses) {
     Job out;
     out.file = std::string(filename);
-    if (const auto root = TomlReader(filename, diagnoses).parse(content)) JobReader(filename, diagnoses).file(*root, out);
+    if (const auto root = TomlReader(filename, diagnoses).parse(content))
+        JobReader(filename, diagnoses).file(*root, out);
     return out;
 }
 

@@ -32,13 +32,16 @@ struct Job {
     std::string file, name;
     std::map<unsigned, JobProgram> programs;  // by channel
     std::optional<JobStock> stock;
-    std::map<unsigned, std::map<std::string, AxisValues>> zeros;  // channel -> system -> axis -> value
+    // channel -> system -> axis -> value
+    std::map<unsigned, std::map<std::string, AxisValues>> zeros;
     std::vector<JobTool> tools;
-    unsigned parts_wanted = 0;   // 0: not said
-    std::string setup, machine;  // resolved; empty: the job names none. An option of the command line wins.
+    unsigned parts_wanted = 0;  // 0: not said
+    // resolved; empty: the job names none. An option of the command line wins.
+    std::string setup, machine;
 };
 
-Job parse_job(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses);
+Job parse_job(std::string_view content, std::string_view filename,
+              std::vector<Diagnosis>& diagnoses);
 Result<Job> load_job(const std::string& path);
 
 // "shaft.job.toml": a job rather than a program.

@@ -5,7 +5,9 @@
 namespace polyturn::text {
 
 namespace {
-Diagnosis fault(Alarm alarm, const std::string& path, std::string detail) { return Diagnosis{alarm, Place{path, 0, 0, 0}, {}, std::move(detail)}; }
+Diagnosis fault(Alarm alarm, const std::string& path, std::string detail) {
+    return Diagnosis{alarm, Place{path, 0, 0, 0}, {}, std::move(detail)};
+}
 }  // namespace
 
 Result<std::string> read_text_file(const std::string& path, std::uint64_t largest) {
@@ -14,7 +16,9 @@ Result<std::string> read_text_file(const std::string& path, std::uint64_t larges
     auto read = file->read_all();
     if (!read) return read.diagnosis();
     std::string text = std::move(*read);
-    if (text.size() >= 2 && ((text[0] == '\xff' && text[1] == '\xfe') || (text[0] == '\xfe' && text[1] == '\xff'))) return fault(Alarm::FileUtf16, path, path);
+    if (text.size() >= 2 &&
+        ((text[0] == '\xff' && text[1] == '\xfe') || (text[0] == '\xfe' && text[1] == '\xff')))
+        return fault(Alarm::FileUtf16, path, path);
     if (text.find('\0') != std::string::npos) return fault(Alarm::FileBinary, path, path);
     return text;
 }

@@ -20,8 +20,10 @@ int write_all(const std::string& path, std::string_view bytes, mode_t mode) {
     int wrong = 0;
     for (std::size_t done = 0; wrong == 0 && done < bytes.size();) {
         const ssize_t wrote = ::write(fd, bytes.data() + done, bytes.size() - done);
-        if (wrote > 0) done += static_cast<std::size_t>(wrote);
-        else if (wrote == 0 || errno != EINTR) wrong = wrote == 0 ? ENOSPC : errno;
+        if (wrote > 0)
+            done += static_cast<std::size_t>(wrote);
+        else if (wrote == 0 || errno != EINTR)
+            wrong = wrote == 0 ? ENOSPC : errno;
     }
     if (wrong == 0 && ::fchmod(fd, mode) != 0) wrong = errno;
     if (wrong == 0 && ::fsync(fd) != 0) wrong = errno;
@@ -30,16 +32,17 @@ int write_all(const std::string& path, std::string_view bytes, mode_t mode) {
 }
 
 void sync_folder(const fs::path& folder) {
-    const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int fd =
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0) return;
-    (void)::fsync(fd);   // some file systems have no such thing for a folder
+    (void)::fsync(fd);  // some file systems have no such thing for a folder
     ::close(fd);
 }
 
 }  // namespace
 
 Result<void> replace_file(const std::string& path, std::string_view bytes) {
-    struct stat old{};
+    struct stat old {};
     const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 07777 : 0644;
     const std::string fresh = path + ".new";
     int wrong = write_all(fresh, bytes, mode);

@@ -12,9 +12,10 @@ namespace {
 void append_quoted(std::string& out, std::string_view words) {
     out += '"';
     for (const char c : words) {
-        if (c == '"' || c == '\\')
-            out += '\\', out += c;
-        else if (static_cast<unsigned char>(c) < 0x20)
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (static_cast<unsigned char>(c) < 0x20)
             out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
         else
             out += c;
@@ -58,7 +59,8 @@ bool append_json(std::string& out, const toml::node& node) {
 
 class ScenarioReader {
 public:
-    ScenarioReader(std::string_view filename, std::vector<Diagnosis>& diagnoses) : toml_(filename, diagnoses) {}
+    ScenarioReader(std::string_view filename, std::vector<Diagnosis>& diagnoses)
+        : toml_(filename, diagnoses) {}
 
     void file(const toml::table& root, Scenario& out) {
         toml_.each(root, [&](const toml::key& key, const toml::node& node) {
@@ -73,7 +75,8 @@ public:
     }
 
 private:
-    // One [[at]]: a time or an event, and one or more things to do, which act in the order in which they are written.
+    // One [[at]]: a time or an event, and one or more things to do, which act in the order in which
+    // they are written.
     void entry(const toml::table& table, Scenario& out) {
         Stimulus common;
         bool timed = false, faulty = false;
@@ -81,29 +84,41 @@ private:
         toml_.each(table, [&](const toml::key& key, const toml::node& node) {
             if (key == "t") {
                 common.at_s = toml_.number(key, node);
-                if (common.at_s && *common.at_s < 0) toml_.wrong(key, node, "a time from 0 on"), faulty = true;
+                if (common.at_s && *common.at_s < 0) {
+                    toml_.wrong(key, node, "a time from 0 on");
+                    faulty = true;
+                }
                 timed = true;
                 faulty = faulty || !common.at_s;
             } else if (key == "when") {
                 timed = true;
                 const auto* part = toml_.table(key, node);
                 if (!part || !append_json(common.when, *part)) {
-                    if (part) toml_.wrong(key, node, "a part of an event: texts, numbers, lists, true, false");
+                    if (part)
+                        toml_.wrong(key, node,
+                                    "a part of an event: texts, numbers, lists, true, false");
                     faulty = true;
                 }
             } else if (key == "after") {
                 const auto seconds = toml_.number(key, node);
-                if (seconds && *seconds < 0) toml_.wrong(key, node, "a time from 0 on"), faulty = true;
+                if (seconds && *seconds < 0) {
+                    toml_.wrong(key, node, "a time from 0 on");
+                    faulty = true;
+                }
                 common.after_s = seconds.value_or(0.0);
             } else if (key == "for") {
                 common.for_s = toml_.number(key, node);
-                if (common.for_s && *common.for_s <= 0) toml_.wrong(key, node, "a time above 0"), faulty = true;
+                if (common.for_s && *common.for_s <= 0) {
+                    toml_.wrong(key, node, "a time above 0");
+                    faulty = true;
+                }
             } else if (const auto kind = kind_of(key.str())) {
                 if (auto words = toml_.text(key, node)) {
                     Stimulus action;
                     action.kind = *kind;
                     action.words = std::move(*words);
-                    action.place = toml_.place(node.source(), static_cast<std::uint32_t>(action.words.size() + 2));
+                    action.place = toml_.place(node.source(),
+                                               static_cast<std::uint32_t>(action.words.size() + 2));
                     actions.push_back(std::move(action));
                 } else
                     faulty = true;
@@ -116,9 +131,11 @@ private:
         if (common.at_s && !common.when.empty())
             toml_.fault(Alarm::TextSyntax, table.source(), "either t or when, not both");
         else if (!timed)
-            toml_.fault(Alarm::TextSyntax, table.source(), "neither t nor when: it is not said when this happens");
+            toml_.fault(Alarm::TextSyntax, table.source(),
+                        "neither t nor when: it is not said when this happens");
         else if (actions.empty())
-            toml_.fault(Alarm::TextSyntax, table.source(), "nothing to do: press, set, release, kill or stop is missing");
+            toml_.fault(Alarm::TextSyntax, table.source(),
+                        "nothing to do: press, set, release, kill or stop is missing");
         else
             for (Stimulus& action : actions) {
                 if (common.for_s && action.kind != StimulusKind::Stop) {
@@ -148,10 +165,12 @@ private:
 
 }  // namespace
 
-Scenario parse_scenario(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses) {
+Scenario parse_scenario(std::string_view content, std::string_view filename,
+                        std::vector<Diagnosis>& diagnoses) {
     Scenario out;
     out.file = std::string(filename);
-    if (const auto root = TomlReader(filename, diagnoses).parse(content)) ScenarioReader(filename, diagnoses).file(*root, out);
+    if (const auto root = TomlReader(filename, diagnoses).parse(content))
+        ScenarioReader(filename, diagnoses).file(*root, out);
     return out;
 }
 

@@ -1,4 +1,5 @@
-// What happens while a program runs (cli.md 5): stimuli at a time or after an event, in the file's order.
+// What happens while a program runs (cli.md 5): stimuli at a time or after an event, in the file's
+// order.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@ enum class StimulusKind { Press, Set, Release, Kill, Stop };
 
 struct Stimulus {
     StimulusKind kind = StimulusKind::Press;
-    std::string words;            // "feed_hold L2", "AP_SYNCR A3=1", "channel 2": still to be understood
+    // "feed_hold L2", "AP_SYNCR A3=1", "channel 2": still to be understood
+    std::string words;
     std::optional<double> at_s;   // seconds since cycle start; or
     std::string when;             // a part of an event object, as JSON ...
     double after_s = 0.0;         // ... and seconds after it
@@ -26,7 +28,8 @@ struct Scenario {
     std::vector<Stimulus> stimuli;
 };
 
-Scenario parse_scenario(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses);
+Scenario parse_scenario(std::string_view content, std::string_view filename,
+                        std::vector<Diagnosis>& diagnoses);
 Result<Scenario> load_scenario(const std::string& path);
 
 }  // namespace polyturn::text

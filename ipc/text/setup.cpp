@@ -25,7 +25,8 @@ public:
             } else if (key == "channel") {
                 if (const auto* channels = toml_.table(key, node))
                     toml_.each(*channels, [&](const toml::key& number, const toml::node& one) {
-                        const auto index = toml_.whole_key(number, 1, kMaxChannels, "a channel number");
+                        const auto index =
+                            toml_.whole_key(number, 1, kMaxChannels, "a channel number");
                         const auto* content = index ? toml_.table(number, one) : nullptr;
                         if (content) channel(*content, out.channels[static_cast<unsigned>(*index)]);
                     });
@@ -47,17 +48,21 @@ private:
             if (!words) return;
             int used = 0;
             char separator = 0;
-            const int found = std::sscanf(words->c_str(), "%4d-%2d-%2d%c%2d:%2d:%2d%n", &clock.year, &clock.month, &clock.day, &separator, &clock.hour,
+            const int found = std::sscanf(words->c_str(), "%4d-%2d-%2d%c%2d:%2d:%2d%n", &clock.year,
+                                          &clock.month, &clock.day, &separator, &clock.hour,
                                           &clock.minute, &clock.second, &used);
-            if (found != 7 || (separator != 'T' && separator != ' ') || static_cast<std::size_t>(used) != words->size()) {
+            if (found != 7 || (separator != 'T' && separator != ' ') ||
+                static_cast<std::size_t>(used) != words->size()) {
                 toml_.wrong(key, node, "a date and time such as \"2026-01-31T12:34:56\"");
                 return;
             }
         }
         static constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
         const bool leap = clock.year % 4 == 0 && (clock.year % 100 != 0 || clock.year % 400 == 0);
-        if (clock.year < 1 || clock.month < 1 || clock.month > 12 || clock.day < 1 || clock.day > kDays[clock.month - 1] + (leap && clock.month == 2 ? 1 : 0) ||
-            clock.hour < 0 || clock.hour > 23 || clock.minute < 0 || clock.minute > 59 || clock.second < 0 || clock.second > 59) {
+        if (clock.year < 1 || clock.month < 1 || clock.month > 12 || clock.day < 1 ||
+            clock.day > kDays[clock.month - 1] + (leap && clock.month == 2 ? 1 : 0) ||
+            clock.hour < 0 || clock.hour > 23 || clock.minute < 0 || clock.minute > 59 ||
+            clock.second < 0 || clock.second > 59) {
             toml_.wrong(key, node, "a date and time that exists");
             return;
         }
@@ -85,20 +90,24 @@ private:
             else if (key == "sensor")
                 sensors(key, node, out);
             else
-                toml_.unknown(key, "machine, pos, work, variables, keys, subprograms, offset, tool, sensor");
+                toml_.unknown(
+                    key, "machine, pos, work, variables, keys, subprograms, offset, tool, sensor");
         });
     }
 
     void axes(const toml::key& key, const toml::node& node, AxisValues& out) {
         if (const auto* table = toml_.table(key, node))
             toml_.each(*table, [&](const toml::key& axis, const toml::node& value) {
-                if (const auto number = toml_.number(axis, value)) out[std::string(axis.str())] = *number;
+                if (const auto number = toml_.number(axis, value))
+                    out[std::string(axis.str())] = *number;
             });
     }
 
     void work(const toml::key& key, const toml::node& node, ChannelSetup& out) {
         if (const auto* table = toml_.table(key, node))
-            toml_.each(*table, [&](const toml::key& system, const toml::node& values) { axes(system, values, out.work[std::string(system.str())]); });
+            toml_.each(*table, [&](const toml::key& system, const toml::node& values) {
+                axes(system, values, out.work[std::string(system.str())]);
+            });
     }
 
     void variables(const toml::key& key, const toml::node& node, ChannelSetup& out) {
@@ -111,7 +120,8 @@ private:
                     variable.is_text = true;
                 } else if (const auto* truth = value.as_boolean()) {
                     variable.value = truth->get() ? 1.0 : 0.0;
-                } else if (const auto* real = value.as_floating_point(); real && std::isnan(real->get())) {
+                } else if (const auto* real = value.as_floating_point();
+                           real && std::isnan(real->get())) {
                     variable.value = std::numeric_limits<double>::quiet_NaN();  // an empty variable
                 } else if (const auto number = toml_.number(name, value)) {
                     variable.value = *number;
@@ -137,7 +147,8 @@ private:
             else if (name == "machine_lock")
                 out.machine_lock = toml_.flag(name, value).value_or(false);
             else
-                toml_.unknown(name, "block_skip, optional_stop, single_block, dry_run, machine_lock");
+                toml_.unknown(name,
+                              "block_skip, optional_stop, single_block, dry_run, machine_lock");
         });
     }
 
@@ -147,25 +158,29 @@ private:
             return;
         }
         if (node.is_integer()) {
-            if (const auto level = toml_.whole(key, node, 1, 10)) out.block_skip.push_back(static_cast<int>(*level));
+            if (const auto level = toml_.whole(key, node, 1, 10))
+                out.block_skip.push_back(static_cast<int>(*level));
             return;
         }
         if (const auto* levels = toml_.array(key, node))
             for (const auto& one : *levels)
-                if (const auto level = toml_.whole(key, one, 0, 10)) out.block_skip.push_back(static_cast<int>(*level));
+                if (const auto level = toml_.whole(key, one, 0, 10))
+                    out.block_skip.push_back(static_cast<int>(*level));
     }
 
     void subprograms(const toml::key& key, const toml::node& node, ChannelSetup& out) {
         if (const auto* files = toml_.array(key, node))
             for (const auto& one : *files)
-                if (const auto file = toml_.text(key, one)) out.subprograms.push_back((folder_ / *file).lexically_normal().string());
+                if (const auto file = toml_.text(key, one))
+                    out.subprograms.push_back((folder_ / *file).lexically_normal().string());
     }
 
     void offsets(const toml::key& key, const toml::node& node, ChannelSetup& out) {
         const auto* table = toml_.table(key, node);
         if (!table) return;
         toml_.each(*table, [&](const toml::key& number, const toml::node& one) {
-            const auto index = toml_.whole_key(number, 1, static_cast<long>(kOffsets) - 1, "an offset number");
+            const auto index =
+                toml_.whole_key(number, 1, static_cast<long>(kOffsets) - 1, "an offset number");
             const auto* content = index ? toml_.table(number, one) : nullptr;
             if (!content) return;
             OffsetSetup& offset = out.offsets[static_cast<int>(*index)];
@@ -186,14 +201,17 @@ private:
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
             if (name == "X")
                 out.x = toml_.number(name, value);
-            else if (name == "Y" || name == "B")   // the offsets of a B axis with programs of its own stand in the Y column (fanuc_lathe 10.4)
+            else if (name == "Y" || name == "B")
+                // the offsets of a B axis with programs of its own stand in the Y column
+                // (fanuc_lathe 10.4)
                 out.y = toml_.number(name, value);
             else if (name == "Z")
                 out.z = toml_.number(name, value);
             else if (name == "R")
                 out.r = toml_.number(name, value);
             else if (name == "T") {
-                if (const auto tip = toml_.whole(name, value, 0, 9)) out.t = static_cast<double>(*tip);
+                if (const auto tip = toml_.whole(name, value, 0, 9))
+                    out.t = static_cast<double>(*tip);
             } else
                 toml_.unknown(name, "X, Y, Z, B, R (nose radius), T (tip direction)");
         });
@@ -228,7 +246,9 @@ private:
             auto& edge = out.edges[static_cast<int>(*index)];
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
                 const std::string_view word = name.str();
-                const bool numbered = word.size() > 2 && word.substr(0, 2) == "DP" && word.find_first_not_of("0123456789", 2) == std::string_view::npos;
+                const bool numbered =
+                    word.size() > 2 && word.substr(0, 2) == "DP" &&
+                    word.find_first_not_of("0123456789", 2) == std::string_view::npos;
                 if (!numbered)
                     toml_.unknown(name, "DP1, DP2 and so on");
                 else if (const auto number_value = toml_.number(name, value))
@@ -247,7 +267,8 @@ private:
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
                 if (name == "input") {
                     if (value.is_integer())
-                        sensor.input = std::to_string(toml_.whole(name, value, 0, kInputs - 1).value_or(0));
+                        sensor.input =
+                            std::to_string(toml_.whole(name, value, 0, kInputs - 1).value_or(0));
                     else
                         sensor.input = toml_.text(name, value).value_or("");
                 } else if (name == "axis")
@@ -256,7 +277,8 @@ private:
                     sensor.at = toml_.number(name, value).value_or(0.0);
                 else if (name == "direction") {
                     const auto sign = toml_.text(name, value);
-                    if (sign && *sign != "-" && *sign != "+") toml_.wrong(name, value, "\"-\" or \"+\"");
+                    if (sign && *sign != "-" && *sign != "+")
+                        toml_.wrong(name, value, "\"-\" or \"+\"");
                     sensor.direction = sign == "-" ? -1 : 1;
                 } else
                     toml_.unknown(name, "input, axis, at, direction");
@@ -280,10 +302,12 @@ const ChannelSetup& Setup::channel(unsigned number) const {
     return found == channels.end() ? kEmpty : found->second;
 }
 
-Setup parse_setup(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses) {
+Setup parse_setup(std::string_view content, std::string_view filename,
+                  std::vector<Diagnosis>& diagnoses) {
     Setup out;
     out.file = std::string(filename);
-    if (const auto root = TomlReader(filename, diagnoses).parse(content)) SetupReader(filename, diagnoses).file(*root, out);
+    if (const auto root = TomlReader(filename, diagnoses).parse(content))
+        SetupReader(filename, diagnoses).file(*root, out);
     return out;
 }
 

@@ -1,8 +1,9 @@
-// What an operator would have entered before a run (cli.md 2): start positions, zeros, variables, keys, offsets, tools,
-// sensors. Read alike by command line, channel and store; who needs what:
+// What an operator would have entered before a run (cli.md 2): start positions, zeros, variables,
+// keys, offsets, tools, sensors. Read alike by command line, channel and store; who needs what:
 //   polyturn            machine, pos, keys, sensors          polyturn-toolmgmt   offsets, work, variables, tools
 //   polyturn-channel    clock, variables, subprograms, keys, tools
-// Values are as the file has them: X as the axis displays it (a diameter on a diameter axis), lengths mm, angles degrees.
+// Values are as the file has them: X as the axis displays it (a diameter on a diameter axis),
+// lengths mm, angles degrees.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -26,7 +27,8 @@ struct SetupVariable {
     bool is_text = false;
 };
 
-// A value that the file does not name is absent and keeps what the store has (zero in a private instance).
+// A value that the file does not name is absent and keeps what the store has (zero in a private
+// instance).
 struct OffsetValues {
     std::optional<double> x, y, z, r, t;  // mm; t: tip direction 0..9
 };
@@ -41,7 +43,8 @@ struct ToolSetup {
 
 struct SensorSetup {
     std::string input;  // name or number of the input
-    std::string axis;   // name of the axis in its channel; S1 ..: a switch that the spindle passes at the angle `at`
+    // name of the axis in its channel; S1 ..: a switch that the spindle passes at the angle `at`
+    std::string axis;
     double at = 0.0;    // machine position as displayed, from which the input is on ...
     int direction = 0;  // ... in this direction of travel: -1, +1; 0 in both
 };
@@ -56,7 +59,8 @@ struct ChannelSetup {
     std::map<std::string, AxisValues> work;  // "G54", "G54.1P3", "shift", "G505" -> axis values
     std::vector<SetupVariable> variables;    // in the file's order
     KeySetup keys;
-    std::vector<std::string> subprograms;  // paths, already resolved against the setup file's folder
+    // paths, already resolved against the setup file's folder
+    std::vector<std::string> subprograms;
     std::map<int, OffsetSetup> offsets;
     std::map<int, ToolSetup> tools;
     std::vector<SensorSetup> sensors;
@@ -77,7 +81,8 @@ struct Setup {
 
 // Everything wrong with the text goes to `diagnoses`; what is right is returned all the same.
 // `filename` is named in diagnoses and resolves `subprograms`.
-Setup parse_setup(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses);
+Setup parse_setup(std::string_view content, std::string_view filename,
+                  std::vector<Diagnosis>& diagnoses);
 
 // The file, or the first diagnosis.
 Result<Setup> load_setup(const std::string& path);

@@ -10,9 +10,12 @@ public:
     std::optional<TomlExcess> run() {
         while (at_ < text_.size() && !found_) {
             const char c = text_[at_];
-            if (c == '"' || c == '\'') skip_string(c);
-            else if (c == '#') skip_comment();
-            else step(c);
+            if (c == '"' || c == '\'')
+                skip_string(c);
+            else if (c == '#')
+                skip_comment();
+            else
+                step(c);
         }
         return found_;
     }
@@ -20,23 +23,35 @@ public:
 private:
     void step(char c) {
         switch (c) {
-            case '\n': next_line(); dots_ = 0; break;
-            case '[': case '{':
+            case '\n':
+                next_line();
                 dots_ = 0;
-                if (++depth_ > kDeepestToml) excess("more than " + std::to_string(kDeepestToml) + " brackets in each other");
                 break;
-            case ']': case '}':
+            case '[':
+            case '{':
+                dots_ = 0;
+                if (++depth_ > kDeepestToml)
+                    excess("more than " + std::to_string(kDeepestToml) + " brackets in each other");
+                break;
+            case ']':
+            case '}':
                 dots_ = 0;
                 if (depth_ > 0) --depth_;
                 break;
-            case '=': case ',': dots_ = 0; break;
-            case '.':
-                if (++dots_ >= kMostKeyParts) excess("a name of more than " + std::to_string(kMostKeyParts) + " parts");
+            case '=':
+            case ',':
+                dots_ = 0;
                 break;
-            default: break;
+            case '.':
+                if (++dots_ >= kMostKeyParts)
+                    excess("a name of more than " + std::to_string(kMostKeyParts) + " parts");
+                break;
+            default:
+                break;
         }
         ++at_;
-        if (at_ - line_from_ > kLongestTomlLine) excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
+        if (at_ - line_from_ > kLongestTomlLine)
+            excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
     }
 
     // A string ends with what began it, one of a single line at the latest with the line.
@@ -53,19 +68,29 @@ private:
                 if (!lines) return;
                 next_line();
             }
-            at_ += text_[at_] == '\\' && quote == '"' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n' ? 2 : 1;
-            if (at_ - line_from_ > kLongestTomlLine) excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
+            at_ += text_[at_] == '\\' && quote == '"' && at_ + 1 < text_.size() &&
+                           text_[at_ + 1] != '\n'
+                       ? 2
+                       : 1;
+            if (at_ - line_from_ > kLongestTomlLine)
+                excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
         }
     }
 
     void skip_comment() {
         while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-        if (at_ - line_from_ > kLongestTomlLine) excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
+        if (at_ - line_from_ > kLongestTomlLine)
+            excess("a line of more than " + std::to_string(kLongestTomlLine >> 10) + " KB");
     }
 
-    void next_line() { ++line_, line_from_ = at_ + 1; }
+    void next_line() {
+        ++line_;
+        line_from_ = at_ + 1;
+    }
     void excess(std::string what) {
-        if (!found_) found_ = TomlExcess{line_, static_cast<std::uint32_t>(at_ - line_from_ + 1), std::move(what)};
+        if (!found_)
+            found_ = TomlExcess{line_, static_cast<std::uint32_t>(at_ - line_from_ + 1),
+                                std::move(what)};
     }
 
     std::string_view text_;
@@ -77,6 +102,8 @@ private:
 
 }  // namespace
 
-std::optional<TomlExcess> beyond_toml_limits(std::string_view content) { return Walk(content).run(); }
+std::optional<TomlExcess> beyond_toml_limits(std::string_view content) {
+    return Walk(content).run();
+}
 
 }  // namespace polyturn::text

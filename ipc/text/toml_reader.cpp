@@ -37,7 +37,10 @@ std::uint32_t length_of(const toml::node& node) {
 
 std::optional<toml::table> TomlReader::parse(std::string_view content) {
     if (const auto beyond = beyond_toml_limits(content)) {
-        diagnoses_->push_back({Alarm::TextTooDeep, Place{std::string(filename_), beyond->line, beyond->column, 1}, {}, beyond->what});
+        diagnoses_->push_back({Alarm::TextTooDeep,
+                               Place{std::string(filename_), beyond->line, beyond->column, 1},
+                               {},
+                               beyond->what});
         return std::nullopt;
     }
     try {
@@ -53,7 +56,8 @@ void TomlReader::each(const toml::table& table, const Take& take) {
         const toml::key* key;
         const toml::node* node;
     };
-    std::vector<Entry> entries;  // the library sorts by name; diagnoses and stimuli come in the file's order
+    // the library sorts by name; diagnoses and stimuli come in the file's order
+    std::vector<Entry> entries;
     for (const auto& [key, node] : table) entries.push_back({&key, &node});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         const auto &left = a.key->source().begin, &right = b.key->source().begin;
@@ -83,10 +87,12 @@ std::optional<double> TomlReader::number(const toml::key& key, const toml::node&
     return value;
 }
 
-std::optional<long> TomlReader::whole(const toml::key& key, const toml::node& node, long low, long high) {
+std::optional<long> TomlReader::whole(const toml::key& key, const toml::node& node, long low,
+                                      long high) {
     const auto value = number(key, node);
     if (!value) return std::nullopt;
-    if (*value != std::floor(*value) || *value < static_cast<double>(low) || *value > static_cast<double>(high)) {
+    if (*value != std::floor(*value) || *value < static_cast<double>(low) ||
+        *value > static_cast<double>(high)) {
         wrong(key, node, fmt::format("a whole number from {} to {}", low, high));
         return std::nullopt;
     }
@@ -95,7 +101,8 @@ std::optional<long> TomlReader::whole(const toml::key& key, const toml::node& no
 
 std::optional<bool> TomlReader::flag(const toml::key& key, const toml::node& node) {
     if (const auto* value = node.as_boolean()) return value->get();
-    if (const auto* value = node.as_integer(); value && (value->get() == 0 || value->get() == 1)) return value->get() == 1;
+    if (const auto* value = node.as_integer(); value && (value->get() == 0 || value->get() == 1))
+        return value->get() == 1;
     wrong(key, node, "true or false");
     return std::nullopt;
 }
@@ -106,7 +113,8 @@ std::optional<std::string> TomlReader::text(const toml::key& key, const toml::no
     return std::nullopt;
 }
 
-std::optional<long> TomlReader::whole_key(const toml::key& key, long low, long high, std::string_view what) {
+std::optional<long> TomlReader::whole_key(const toml::key& key, long low, long high,
+                                          std::string_view what) {
     const std::string_view name = key.str();
     long value = 0;
     bool good = !name.empty() && name.size() <= 9;
@@ -115,7 +123,8 @@ std::optional<long> TomlReader::whole_key(const toml::key& key, long low, long h
         if (good) value = value * 10 + (c - '0');
     }
     if (good && value >= low && value <= high) return value;
-    fault(Alarm::UnknownKey, key.source(), fmt::format("{} (here stands {} from {} to {})", name, what, low, high),
+    fault(Alarm::UnknownKey, key.source(),
+          fmt::format("{} (here stands {} from {} to {})", name, what, low, high),
           static_cast<std::uint32_t>(std::max<std::size_t>(1, name.size())));
     return std::nullopt;
 }
@@ -126,10 +135,12 @@ void TomlReader::unknown(const toml::key& key, std::string_view known) {
 }
 
 void TomlReader::wrong(const toml::key& key, const toml::node& node, std::string_view wanted) {
-    fault(Alarm::WrongType, node.source(), fmt::format("{} is {}, not {}", key.str(), kind_of(node), wanted), length_of(node));
+    fault(Alarm::WrongType, node.source(),
+          fmt::format("{} is {}, not {}", key.str(), kind_of(node), wanted), length_of(node));
 }
 
-void TomlReader::fault(Alarm alarm, const toml::source_region& where, std::string detail, std::uint32_t length) {
+void TomlReader::fault(Alarm alarm, const toml::source_region& where, std::string detail,
+                       std::uint32_t length) {
     diagnoses_->push_back(Diagnosis{alarm, place(where, length), {}, std::move(detail)});
 }
 

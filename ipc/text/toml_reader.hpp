@@ -1,5 +1,5 @@
-// Walking a TOML document with a diagnosis for whatever is not understood. Only the .cpp files here include this: the
-// TOML library is heavy and stays behind setup.hpp, scenario.hpp and job.hpp.
+// Walking a TOML document with a diagnosis for whatever is not understood. Only the .cpp files here
+// include this: the TOML library is heavy and stays behind setup.hpp, scenario.hpp and job.hpp.
 #pragma once
 #include <toml++/toml.h>
 
@@ -16,7 +16,8 @@ namespace polyturn::text {
 
 class TomlReader {
 public:
-    TomlReader(std::string_view filename, std::vector<Diagnosis>& diagnoses) : filename_(filename), diagnoses_(&diagnoses) {}
+    TomlReader(std::string_view filename, std::vector<Diagnosis>& diagnoses)
+        : filename_(filename), diagnoses_(&diagnoses) {}
 
     // Nothing when the text is no TOML; then a diagnosis says where.
     std::optional<toml::table> parse(std::string_view content);
@@ -36,7 +37,8 @@ public:
 
     void unknown(const toml::key& key, std::string_view known);  // known: what could stand here
     void wrong(const toml::key& key, const toml::node& node, std::string_view wanted);
-    void fault(Alarm alarm, const toml::source_region& where, std::string detail, std::uint32_t length = 1);
+    void fault(Alarm alarm, const toml::source_region& where, std::string detail,
+               std::uint32_t length = 1);
     Place place(const toml::source_region& where, std::uint32_t length = 1) const;
 
 private:

@@ -1,5 +1,5 @@
-// Where the drive of an axis or spindle lies (PT_DRIVE, PT_SPINDLE_DRIVE): simulated in the kernel, the machine's drive.so, or
-// a process behind the drive segment (kernel/drives/drive_segment.h).
+// Where the drive of an axis or spindle lies (PT_DRIVE, PT_SPINDLE_DRIVE): simulated in the kernel,
+// the machine's drive.so, or a process behind the drive segment (kernel/drives/drive_segment.h).
 #pragma once
 #include <cstdint>
 

@@ -22,7 +22,8 @@ std::int64_t automatic_tick_ns(const KernelConfig& config) {
 
 void name_axis(const p::Table& t, unsigned a, AxisConfig& axis) {
     std::size_t n = 0;
-    for (const auto code : {p::get(t, p::n0100_axis_name1, a), p::get(t, p::n0101_axis_name2, a), p::get(t, p::n0102_axis_name3, a)}) {
+    for (const auto code : {p::get(t, p::n0100_axis_name1, a), p::get(t, p::n0101_axis_name2, a),
+                            p::get(t, p::n0102_axis_name3, a)}) {
         if (code <= 0 || code > 127) break;
         axis.name[n++] = static_cast<char>(code);
     }
@@ -37,12 +38,15 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     AxisConfig axis;
     const auto assigned = p::get(t, p::n0002_axis_assign, a);
     const bool hypothetical = p::bit(t, p::n0106_axis_properties, a, 7);
-    axis.channel = assigned >= 1 && assigned <= static_cast<std::int64_t>(kMaxChannels) ? static_cast<std::uint32_t>(assigned) : 0;
+    axis.channel = assigned >= 1 && assigned <= static_cast<std::int64_t>(kMaxChannels)
+                       ? static_cast<std::uint32_t>(assigned)
+                       : 0;
     axis.exists = axis.channel != 0 && !hypothetical;
     axis.rotary = p::bit(t, p::n0106_axis_properties, a, 1);
     axis.diameter = p::bit(t, p::n0106_axis_properties, a, 0) && !axis.rotary;
     // Parameters are in the machine's unit (1.3): inch only for linear axes of a channel with IND.
-    const bool inch = axis.channel && !axis.rotary && p::bit(t, p::n0104_unit_of_measure, axis.channel, 0);
+    const bool inch =
+        axis.channel && !axis.rotary && p::bit(t, p::n0104_unit_of_measure, axis.channel, 0);
     const double unit = inch ? kMmPerInch : 1.0;
     axis.inch = inch;
     axis.rapid = p::get(t, p::n0304_rapid, a) * unit / 60.0;
@@ -57,9 +61,12 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
     axis.servo = read_servo(t, a, unit);
     axis.reference = read_reference(t, a, unit);
-    if (p::bit(t, p::n0106_axis_properties, a, 3)) axis.index_step = p::get(t, p::n0110_indexing_amount, a) * unit;
-    if (axis.rotary && p::bit(t, p::n0107_rollover_control, a, 0)) axis.rollover = p::get(t, p::n0108_rollamount, a);
-    for (unsigned n = 0; n < 8; ++n) axis.handle |= p::bit(t, p::n2400_handle_direction, a, n) ? 1u << n : 0u;
+    if (p::bit(t, p::n0106_axis_properties, a, 3))
+        axis.index_step = p::get(t, p::n0110_indexing_amount, a) * unit;
+    if (axis.rotary && p::bit(t, p::n0107_rollover_control, a, 0))
+        axis.rollover = p::get(t, p::n0108_rollamount, a);
+    for (unsigned n = 0; n < 8; ++n)
+        axis.handle |= p::bit(t, p::n2400_handle_direction, a, n) ? 1u << n : 0u;
     axis.lubrication = p::get(t, p::n1273_lubrication_distance, a) * unit;
     axis.gear_retract = p::get(t, p::n1804_retr_dist, a) * unit;
     axis.retract = p::get(t, p::pt_retract, a) * unit;
@@ -78,17 +85,24 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.exists = channel.group != 0;
     channel.default_spindle = static_cast<std::uint32_t>(p::get(t, p::n0604_default_spindle, l));
     channel.jog_feed_source = p::get(t, p::n0316_jog_f_contr, l);
-    channel.jog_feed = p::get(t, p::n0317_jog_f_g94, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
+    channel.jog_feed = p::get(t, p::n0317_jog_f_g94, l) *
+                       (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
     channel.contour_tolerance = p::get(t, p::pt_contour_tol, l);
     channel.gear_opens = p::bit(t, p::n1800_egb_contr, l, 0);
-    channel.gear_retract_feed = p::get(t, p::n1805_retr_feed, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
-    channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
-    channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
+    channel.gear_retract_feed = p::get(t, p::n1805_retr_feed, l) *
+                                (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) /
+                                60.0;
+    channel.surface_speed_axis =
+        static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
+    channel.surface_speed_min_rpm =
+        static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
     channel.increments = p::get(t, p::n0105_increment_system, l);
-    channel.wheel_time_s = p::get(t, p::pt_wheel_time, l);
-    channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
-    for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
+    channel.handwheel_time_s = p::get(t, p::pt_wheel_time, l);
+    channel.feed_needs_spindle = p::get(t, p::pt_feed_waits, l) != 0;
+    for (unsigned n = 0; n < 3; ++n)
+        channel.aux_letters[n] =
+            static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
     channel.inch = p::bit(t, p::n0104_unit_of_measure, l, 0);
     const double unit = channel.inch ? kMmPerInch : 1.0;
     channel.jog_feed_rev = p::get(t, p::n0318_jog_f_g95, l) * unit;
@@ -97,7 +111,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.feed_override_in_rapid = p::get(t, p::fg_rapidovr, l) != 0;
     channel.language = dialect_of(p::get_text(t, p::pt_language, l));
     // The panel's switch has 120 % at its end, and MAXFOVR caps it (fagor part 1, 5.2).
-    channel.fagor_feed_override_max = std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
+    channel.fagor_feed_override_max =
+        std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
     channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);
     channel.stops_at_wanted = p::get(t, p::pt_parts_stop, l) != 0;
     channel.default_feed = p::get(t, p::n0300_default_f_g94, l) * unit / 60.0;
@@ -105,10 +120,11 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.per_revolution = p::bit(t, p::n1301_defaultg2, l, 0);
     channel.stroke = read_channel_stroke(t, l);
     channel.rapid_overlaps = p::bit(t, p::n0421_acc_contr, l, 0);
-    channel.looks_one_block_ahead = !p::bit(t, p::n1301_defaultg2, l, 6);
+    channel.reads_one_block_ahead = !p::bit(t, p::n1301_defaultg2, l, 6);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {
         channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);
-        channel.partner_death = static_cast<PartnerDeath>(p::get(t, p::pt_partner_death, channel.group));
+        channel.partner_death =
+            static_cast<PartnerDeath>(p::get(t, p::pt_partner_death, channel.group));
     }
     return channel;
 }
@@ -129,24 +145,30 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
         const auto address = p::get(t, p::n0503_axis_output_address, a);
         if (!axis.exists || !axis.rotary || address == 0) continue;
         for (unsigned s = config.spindle_count; s >= 1; --s)
-            if (config.spindles[s - 1].exists && p::get(t, p::n0603_spindle_output_address, s) == address) axis.on_spindle = s;
+            if (config.spindles[s - 1].exists &&
+                p::get(t, p::n0603_spindle_output_address, s) == address)
+                axis.on_spindle = s;
     }
     for (unsigned l = 1; l <= kMaxChannels; ++l) config.channels[l - 1] = read_channel(t, l);
-    // N0421 JRK: acceleration that rises without a step of its slope. All axes of a channel wait alike, so that their path stays.
+    // N0421 JRK: acceleration that rises without a step of its slope. All axes of a channel wait
+    // alike, so that their path stays.
     constexpr double kShareOfRise = 0.5;
     for (unsigned l = 1; l <= kMaxChannels; ++l) {
         if (!p::bit(t, p::n0421_acc_contr, l, 1)) continue;
         double rise_s = 0;
         for (unsigned a = 1; a <= kMaxAxes; ++a)
-            if (config.axes[a - 1].exists && config.axes[a - 1].channel == l) rise_s = std::max(rise_s, p::get(t, p::n0401_acc_tc, a));
+            if (config.axes[a - 1].exists && config.axes[a - 1].channel == l)
+                rise_s = std::max(rise_s, p::get(t, p::n0401_acc_tc, a));
         for (AxisConfig& axis : config.axes)
             if (axis.exists && axis.channel == l) axis.servo.smooth_s = kShareOfRise * rise_s;
     }
     for (unsigned n = 1; n <= config.switches.size(); ++n) {
         PositionSwitch& sw = config.switches[n - 1];
         sw.axis = static_cast<std::uint32_t>(p::get(t, p::nth(p::n1101_sw1_axis_number, n)));
-        const AxisConfig* axis = sw.axis >= 1 && sw.axis <= kMaxAxes ? &config.axes[sw.axis - 1] : nullptr;
-        const bool inch = axis && axis->channel && !axis->rotary && p::bit(t, p::n0104_unit_of_measure, axis->channel, 0);
+        const AxisConfig* axis =
+            sw.axis >= 1 && sw.axis <= kMaxAxes ? &config.axes[sw.axis - 1] : nullptr;
+        const bool inch = axis && axis->channel && !axis->rotary &&
+                          p::bit(t, p::n0104_unit_of_measure, axis->channel, 0);
         sw.low = p::get(t, p::nth(p::n1133_sw1_min_pos, n)) * (inch ? kMmPerInch : 1.0);
         sw.high = p::get(t, p::nth(p::n1165_sw1_max_pos, n)) * (inch ? kMmPerInch : 1.0);
     }
@@ -164,7 +186,8 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
     for (AxisConfig& axis : config.axes) axis.tick_s = config.tick_s;
     config.history = static_cast<std::uint32_t>(p::get(t, p::pt_history));
     config.horizon = static_cast<std::uint32_t>(p::get(t, p::pt_horizon));
-    config.plc_cycle_ticks = std::max<std::int64_t>(1, p::get(t, p::pt_plc_cycle) * 1'000'000 / config.tick_ns);
+    config.plc_cycle_ticks =
+        std::max<std::int64_t>(1, p::get(t, p::pt_plc_cycle) * 1'000'000 / config.tick_ns);
     config.answer_ticks = p::get(t, p::pt_answer_ticks);
 }
 

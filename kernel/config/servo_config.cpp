@@ -42,10 +42,10 @@ ServoConfig read_servo(const params::Table& t, unsigned a, double unit) noexcept
     s.start_ends_by_way = bit(t, n0525_compensation_control, a, 3);
     s.reversal_speed = get(t, n0526_backlash_acc_amount, a) * speed;
     s.reversal_s = get(t, n0527_backlash_acc_period, a);
-    s.reversal_way = get(t, n0528_backlash_acc_distance, a) * unit;
+    s.reversal_travel = get(t, n0528_backlash_acc_distance, a) * unit;
     s.start_speed = get(t, n0529_friction_comp_amount, a) * speed;
     s.stood_s = get(t, n0530_stop_judgement_period, a);
-    s.start_way = get(t, n0531_friction_comp_distance, a) * unit;
+    s.start_travel = get(t, n0531_friction_comp_distance, a) * unit;
     s.fade = get(t, n0532_compensation_a_x_multiplier, a);
     s.tandem_master = static_cast<std::uint32_t>(get(t, n0533_tandem_master, a));
     s.dual_axis = static_cast<std::uint32_t>(get(t, n0534_dual_position_axis_number, a));
@@ -94,7 +94,8 @@ ReferenceConfig read_reference(const params::Table& t, unsigned a, double unit) 
     r.shift = get(t, n0906_reference_shift, a) * unit;
     r.position = reference_position(t, a) * unit;
     r.encoder_zero = get(t, n0907_endat_machine_reference, a) * unit;
-    if (r.absolute && !r.floating) r.encoder_bits = static_cast<unsigned>(get(t, n0524_endat_resolution, a));
+    if (r.absolute && !r.floating)
+        r.encoder_bits = static_cast<unsigned>(get(t, n0524_endat_resolution, a));
     r.keeps_rounds = bit(t, n0900_reference_type, a, 6);
     r.rounds = get(t, n0908_endat_round_number, a);
     r.alarm_distance = get(t, n0909_abs_position_alarm_distance, a) * unit;

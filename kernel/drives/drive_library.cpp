@@ -1,4 +1,5 @@
-// Drives from outside that are called in this process: the machine builder's drive.so, and what stands for one that is not there.
+// Drives from outside that are called in this process: the machine builder's drive.so, and what
+// stands for one that is not there.
 #include <dlfcn.h>
 
 #include "ipc/text/regular_file.hpp"
@@ -7,7 +8,8 @@
 namespace polyturn::kernel {
 
 const PolyturnDriveApi* load_drive_library(const std::string& file, std::string& reason) {
-    if (auto ordinary = text::RegularFile::open(file, text::kLargestLibrary); !ordinary) {   // dlopen() would wait for the writer of a pipe
+    // dlopen() would wait for the writer of a pipe
+    if (auto ordinary = text::RegularFile::open(file, text::kLargestLibrary); !ordinary) {
         reason = file + ": " + ordinary.diagnosis().detail;
         return nullptr;
     }
@@ -20,18 +22,22 @@ const PolyturnDriveApi* load_drive_library(const std::string& file, std::string&
     using Export = const PolyturnDriveApi* (*)();
     const auto get = reinterpret_cast<Export>(dlsym(library, "polyturn_drive_api"));
     const PolyturnDriveApi* api = get ? get() : nullptr;
-    if (api && api->version == POLYTURN_DRIVE_VERSION && api->open && api->close && api->exchange) return api;
-    reason = !api ? file + " does not export polyturn_drive_api" : file + " was built for another version of drive.h";
+    if (api && api->version == POLYTURN_DRIVE_VERSION && api->open && api->close && api->exchange)
+        return api;
+    reason = !api ? file + " does not export polyturn_drive_api"
+                  : file + " was built for another version of drive.h";
     return nullptr;
 }
 
 const PolyturnDriveApi& missing_drive_api() {
     static int nothing = 0;
-    static constexpr PolyturnDriveApi kApi{POLYTURN_DRIVE_VERSION, [](const PolyturnDriveSetup*) -> void* { return &nothing; }, [](void*) {},
-                                           [](void*, const PolyturnDriveCommand*, PolyturnDriveStatus* status) {
-                                               *status = {};
-                                               status->status = POLYTURN_DRIVE_FAULT;
-                                           }};
+    static constexpr PolyturnDriveApi kApi{
+        POLYTURN_DRIVE_VERSION, [](const PolyturnDriveSetup*) -> void* { return &nothing; },
+        [](void*) {},
+        [](void*, const PolyturnDriveCommand*, PolyturnDriveStatus* status) {
+            *status = {};
+            status->status = POLYTURN_DRIVE_FAULT;
+        }};
     return kApi;
 }
 

@@ -6,31 +6,40 @@
 
 namespace polyturn::kernel {
 namespace {
-SegmentDrives* opening = nullptr;   // whose slots open() gives out: the C interface knows no context
+// whose slots open() gives out: the C interface knows no context
+SegmentDrives* opening = nullptr;
 
-std::string commands_name(const std::string& instance) { return "polyturn." + instance + ".drives"; }
-std::string statuses_name(const std::string& instance) { return "polyturn." + instance + ".slaves"; }
+std::string commands_name(const std::string& instance) {
+    return "polyturn." + instance + ".drives";
+}
+std::string statuses_name(const std::string& instance) {
+    return "polyturn." + instance + ".slaves";
+}
 
 // The segment of the drive process `pid` (0: of any), complete and of this version; else nothing.
 const PolyturnDriveStatuses* look(const std::string& instance, int pid, RawSegment& into) {
     auto raw = RawSegment::attach(statuses_name(instance), sizeof(PolyturnDriveStatuses));
     if (!raw) return nullptr;
     const auto* found = static_cast<const PolyturnDriveStatuses*>(raw->address());
-    if (__atomic_load_n(&found->ready, __ATOMIC_ACQUIRE) != 1 || found->magic != POLYTURN_DRIVES_MAGIC || found->version != POLYTURN_DRIVE_VERSION ||
-        found->size != sizeof(PolyturnDriveStatuses) || (pid && found->writer_pid != pid) || !process_lives(found->writer_pid))
+    if (__atomic_load_n(&found->ready, __ATOMIC_ACQUIRE) != 1 ||
+        found->magic != POLYTURN_DRIVES_MAGIC || found->version != POLYTURN_DRIVE_VERSION ||
+        found->size != sizeof(PolyturnDriveStatuses) || (pid && found->writer_pid != pid) ||
+        !process_lives(found->writer_pid))
         return nullptr;
     into = std::move(*raw);
     return found;
 }
 }  // namespace
 
-Result<std::unique_ptr<SegmentDrives>> SegmentDrives::create(std::string instance, bool is_virtual) {
+Result<std::unique_ptr<SegmentDrives>> SegmentDrives::create(std::string instance,
+                                                             bool is_virtual) {
     auto raw = RawSegment::create(commands_name(instance), sizeof(PolyturnDriveCommands));
     if (!raw) return raw.diagnosis();
     std::unique_ptr<SegmentDrives> out(new SegmentDrives);
     out->own_ = std::move(*raw);
     out->instance_ = std::move(instance);
-    PolyturnDriveCommands& c = *(out->commands_ = static_cast<PolyturnDriveCommands*>(out->own_.address()));
+    PolyturnDriveCommands& c =
+        *(out->commands_ = static_cast<PolyturnDriveCommands*>(out->own_.address()));
     c.magic = POLYTURN_DRIVES_MAGIC;
     c.version = POLYTURN_DRIVE_VERSION;
     c.size = sizeof c;
@@ -44,28 +53,37 @@ Result<std::unique_ptr<SegmentDrives>> SegmentDrives::create(std::string instanc
 
 void* SegmentDrives::open_slot(const PolyturnDriveSetup& setup, std::uint32_t first) {
     const std::uint32_t index = first + setup.number - 1;
-    if (!opening || setup.version != POLYTURN_DRIVE_VERSION || setup.number == 0 || index >= POLYTURN_DRIVE_SLOTS) return nullptr;
+    if (!opening || setup.version != POLYTURN_DRIVE_VERSION || setup.number == 0 ||
+        index >= POLYTURN_DRIVE_SLOTS)
+        return nullptr;
     opening->commands_->setup[index] = setup;
     return &opening->slots_[index];
 }
 
 const PolyturnDriveApi& SegmentDrives::axis_api() {
     static constexpr PolyturnDriveApi kApi{
-        POLYTURN_DRIVE_VERSION, [](const PolyturnDriveSetup* setup) { return open_slot(*setup, 0); }, [](void*) {},
-        [](void* slot, const PolyturnDriveCommand* c, PolyturnDriveStatus* s) { static_cast<Slot*>(slot)->drives->exchange(*static_cast<Slot*>(slot), *c, *s); }};
+        POLYTURN_DRIVE_VERSION,
+        [](const PolyturnDriveSetup* setup) { return open_slot(*setup, 0); }, [](void*) {},
+        [](void* slot, const PolyturnDriveCommand* c, PolyturnDriveStatus* s) {
+            static_cast<Slot*>(slot)->drives->exchange(*static_cast<Slot*>(slot), *c, *s);
+        }};
     return kApi;
 }
 
 const PolyturnDriveApi& SegmentDrives::spindle_api() {
-    static const PolyturnDriveApi kApi{POLYTURN_DRIVE_VERSION, [](const PolyturnDriveSetup* setup) { return open_slot(*setup, POLYTURN_DRIVE_AXES); }, axis_api().close, axis_api().exchange};
+    static const PolyturnDriveApi kApi{
+        POLYTURN_DRIVE_VERSION,
+        [](const PolyturnDriveSetup* setup) { return open_slot(*setup, POLYTURN_DRIVE_AXES); },
+        axis_api().close, axis_api().exchange};
     return kApi;
 }
 
-bool SegmentDrives::attach(std::int64_t tick_ns, std::chrono::milliseconds patience) {
+bool SegmentDrives::attach(std::int64_t tick_ns, std::chrono::milliseconds timeout) {
     commands_->tick_ns = static_cast<std::uint64_t>(tick_ns);
-    end();   // nobody moves yet
+    end();  // nobody moves yet
     __atomic_store_n(&commands_->ready, 1u, __ATOMIC_RELEASE);
-    for (auto waited = std::chrono::milliseconds(0); waited < patience; waited += std::chrono::milliseconds(1)) {
+    for (auto waited = std::chrono::milliseconds(0); waited < timeout;
+         waited += std::chrono::milliseconds(1)) {
         wake();
         if (!statuses_.load()) statuses_.store(look(instance_, 0, theirs_));
         if (statuses_.load() && answered()) {
@@ -86,7 +104,9 @@ bool SegmentDrives::attach_successor(int pid) {
 // A frame that is just being overwritten is a lost one: the next begin() finds the newer.
 void SegmentDrives::begin() noexcept {
     if (next_.load(std::memory_order_relaxed))
-        if (const PolyturnDriveStatuses* next = next_.exchange(nullptr, std::memory_order_acquire)) statuses_.store(next);   // the old one stays mapped
+        // the old one stays mapped
+        if (const PolyturnDriveStatuses* next = next_.exchange(nullptr, std::memory_order_acquire))
+            statuses_.store(next);
     const PolyturnDriveStatuses* from = statuses_.load(std::memory_order_relaxed);
     if (!from) return;
     const std::uint64_t cycle = __atomic_load_n(&from->cycle, __ATOMIC_ACQUIRE);
@@ -97,7 +117,9 @@ void SegmentDrives::begin() noexcept {
     if (__atomic_load_n(&from->cycle, __ATOMIC_RELAXED) != cycle) return;
     for (Slot& slot : slots_) {
         const std::uint64_t before = newest_.answers[slot.index], now = frame.answers[slot.index];
-        if (now > before && before != 0) slot.step = (frame.status[slot.index].position - newest_.status[slot.index].position) / static_cast<std::int64_t>(now - before);
+        if (now > before && before != 0)
+            slot.step = (frame.status[slot.index].position - newest_.status[slot.index].position) /
+                        static_cast<std::int64_t>(now - before);
     }
     newest_ = frame;
 }
@@ -114,13 +136,14 @@ bool SegmentDrives::answered() const noexcept {
     return from && __atomic_load_n(&from->cycle, __ATOMIC_ACQUIRE) >= draft_.cycle;
 }
 
-void SegmentDrives::exchange(Slot& slot, const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept {
+void SegmentDrives::exchange(Slot& slot, const PolyturnDriveCommand& command,
+                             PolyturnDriveStatus& status) noexcept {
     draft_.command[slot.index] = command;
     status = newest_.status[slot.index];
     // What was commanded last tick is draft_.cycle; its answer is the fresh one.
     const std::uint64_t old = draft_.cycle - std::min(draft_.cycle, newest_.answers[slot.index]);
     status.lost = static_cast<std::uint16_t>(std::min<std::uint64_t>(old, 0xFFFF));
-    constexpr std::uint64_t kMost = 100;   // beyond it nobody believes the last speed any more
+    constexpr std::uint64_t kMost = 100;  // beyond it nobody believes the last speed any more
     status.position += slot.step * static_cast<std::int64_t>(std::min(old, kMost));
 }
 

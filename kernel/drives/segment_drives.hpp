@@ -4,7 +4,8 @@
 //   exchange()   a drive's command and status    } none of them enters the system
 //   end()        publishes the commands          }
 //
-// The clock does what must enter the system: it wakes the drive process, in virtual time it waits for its answer.
+// The clock does what must enter the system: it wakes the drive process, in virtual time it waits
+// for its answer.
 #pragma once
 #include <array>
 #include <atomic>
@@ -26,14 +27,16 @@ public:
     const PolyturnDriveApi& axis_api();
     const PolyturnDriveApi& spindle_api();
 
-    // After all drives were opened: tells the drive process that it may attach, waits for its segment and first answer.
-    bool attach(std::int64_t tick_ns, std::chrono::milliseconds patience);
-    // A successor of a drive process that died: attaches to what `pid` made, for begin() to take. From another thread.
+    // After all drives were opened: tells the drive process that it may attach, waits for its
+    // segment and first answer.
+    bool attach(std::int64_t tick_ns, std::chrono::milliseconds timeout);
+    // A successor of a drive process that died: attaches to what `pid` made, for begin() to take.
+    // From another thread.
     bool attach_successor(int pid);
 
     void begin() noexcept;
     void end() noexcept;
-    bool answered() const noexcept;              // all that was commanded
+    bool answered() const noexcept;  // all that was commanded
     void wake() noexcept;
     void await_answer(std::int64_t timeout_us) noexcept;
 
@@ -41,11 +44,12 @@ private:
     struct Slot {
         SegmentDrives* drives = nullptr;
         std::uint32_t index = 0;
-        std::int64_t step = 0;                   // increments in the last cycle
+        std::int64_t step = 0;  // increments in the last cycle
     };
     SegmentDrives() = default;
     static void* open_slot(const PolyturnDriveSetup& setup, std::uint32_t first);
-    void exchange(Slot& slot, const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
+    void exchange(Slot& slot, const PolyturnDriveCommand& command,
+                  PolyturnDriveStatus& status) noexcept;
 
     std::string instance_;
     RawSegment own_, theirs_, old_;

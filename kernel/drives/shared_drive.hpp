@@ -1,5 +1,6 @@
-// One motor, two users: a spindle, and the C axis that it is when it is positioned (equal output addresses N0503, N0603).
-// Behind it lies one drive in millionths of a degree; the spindle sees whole counts of its own encoder, the axis all of it.
+// One motor, two users: a spindle, and the C axis that it is when it is positioned (equal output
+// addresses N0503, N0603). Behind it lies one drive in millionths of a degree; the spindle sees
+// whole counts of its own encoder, the axis all of it.
 //
 //   spindle --exchange--> +-------------+                 The kernel says who has the drive. The other one's command is
 //                         | SharedDrive | --> drive       not given out; what is measured both see. Spindles come first
@@ -23,9 +24,11 @@ public:
     void* real() const noexcept { return real_; }
     void give_to(User user) noexcept { user_ = user; }
     User user() const noexcept { return user_; }
-    void exchange(User user, const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
+    void exchange(User user, const PolyturnDriveCommand& command,
+                  PolyturnDriveStatus& status) noexcept;
 
-    static const PolyturnDriveApi& spindle_side();   // open() gives nullptr: the kernel passes the object itself
+    // open() gives nullptr: the kernel passes the object itself
+    static const PolyturnDriveApi& spindle_side();
     // open() gives the drive that hand_to_axis() named last. Not in the cyclic thread.
     static const PolyturnDriveApi& axis_side();
     void hand_to_axis() noexcept;
@@ -35,7 +38,7 @@ private:
     void* real_;
     double counts_;
     User user_ = User::Spindle;
-    std::array<std::uint16_t, 2> simulate_{};   // what each user's drive is to play
+    std::array<std::uint16_t, 2> simulate_{};  // what each user's drive is to play
     PolyturnDriveStatus status_{};
 };
 

@@ -1,6 +1,7 @@
-// A drive that exists only as numbers: its speed follows the commanded one as a second-order system, it counts whole
-// increments, latches them at the start of the tick, and it can be told to fail. It speaks through drive.h like any other.
-// Play, sticking, drift, zero pulses and coded marks are there when the setup names them.
+// A drive that exists only as numbers: its speed follows the commanded one as a second-order
+// system, it counts whole increments, latches them at the start of the tick, and it can be told to
+// fail. It speaks through drive.h like any other. Play, sticking, drift, zero pulses and coded
+// marks are there when the setup names them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,17 +12,19 @@ namespace polyturn::kernel {
 
 const PolyturnDriveApi& simulated_drive_api();
 
-// State x = (position, speed, acceleration) in units (mm, degrees, revolutions), u the commanded speed, held for a tick:
+// State x = (position, speed, acceleration) in units (mm, degrees, revolutions), u the commanded
+// speed, held for a tick:
 //     p' = v    v' = a    a' = w^2 (u - v) - 2 d w a
-// The step over one tick is exact: x(t+T) = A x(t) + B u with A = exp(F T), so the result does not depend on the tick,
-// and a stiff drive (w T near 1) stays stable, which an Euler step would not.
+// The step over one tick is exact: x(t+T) = A x(t) + B u with A = exp(F T), so the result does not
+// depend on the tick, and a stiff drive (w T near 1) stays stable, which an Euler step would not.
 class SimulatedDrive {
 public:
-    enum class Failure : std::uint8_t { None, Drive, Encoder };   // POLYTURN_SIMULATE_FAULT, POLYTURN_SIMULATE_ENCODER_FAULT
+    // POLYTURN_SIMULATE_FAULT, POLYTURN_SIMULATE_ENCODER_FAULT
+    enum class Failure : std::uint8_t { None, Drive, Encoder };
     explicit SimulatedDrive(const PolyturnDriveSetup& setup);
     void exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
     void fail(Failure how) noexcept { failure_ = how; }
-    void jam(bool on) noexcept { jammed_ = on; }   // the rotor is held fast
+    void jam(bool on) noexcept { jammed_ = on; }  // the rotor is held fast
     void fail(bool on) noexcept { failure_ = on ? Failure::Drive : Failure::None; }
     // What no real drive could tell: the truth behind the encoder. Units and units per second, now.
     double true_position() const noexcept { return position_; }
@@ -42,10 +45,11 @@ private:
     double slide_;
     double backlash_, friction_, drift_;
     double mark_distance_, mark_periods_, mark_origin_;
-    double last_seen_;   // encoder at the last exchange
+    double last_seen_;  // encoder at the last exchange
     double sign_, encoder_sign_;
-    double rounding_;  // fine scales are read to the nearest increment; coarse encoders count the lines passed
-    double tick_s_, wanted_ = 0;   // csp: the position told last
+    // fine scales are read to the nearest increment; coarse encoders count the lines passed
+    double rounding_;
+    double tick_s_, wanted_ = 0;  // csp: the position told last
     const SimulatedDrive* other_ = nullptr;
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     std::uint16_t last_control_ = 0, simulate_ = 0;

@@ -1,6 +1,6 @@
 #include "kernel/gate/motion_gate.hpp"
 
-#include "kernel/cyclic/core.hpp"
+#include "kernel/tick/core.hpp"
 
 namespace polyturn::kernel {
 

@@ -1,4 +1,5 @@
-// Braking to a stand from a state on a road, as hard as the limits allow at each place and each speed on the way.
+// Braking to a stand from a state on a road, as hard as the limits allow at each place and each
+// speed on the way.
 //
 //   p |        .--.  .----.         p = -a, over time. p rises with the jerk there is until it is all that is allowed, which
 //     |     .-'    ''      '.       grows as the speed falls; it is lowered in time where the next stretch allows less; it is
@@ -6,22 +7,31 @@
 //     +--+---------+----+------+--> t
 //        | stretch | ...
 //
-// Limits that depend on speed (bends) are taken piece by piece at the beginning of each, where speed is highest, and at its
-// greater p; limits.hpp says why that is safe. Where they do not (lines), pieces end only where something changes, so on a
-// single stretch the result is the time-optimal profile of jerk_profile.hpp.
+// Limits that depend on speed (bends) are taken piece by piece at the beginning of each, where
+// speed is highest, and at its greater p; limits.hpp says why that is safe. Where they do not
+// (lines), pieces end only where something changes, so on a single stretch the result is the
+// time-optimal profile of jerk_profile.hpp.
 //
-// Given      v - w of speed left above the aim w, p now, p rising at `rate`, and jerk J for its release. When must it begin?
-// Formula    v(t) - w = p(t)^2 / (2 J):  with k = 1 + rate/J and S = v - w - p^2/(2 J), the speed to spare,
+// Given      v - w of speed left above the aim w, p now, p rising at `rate`, and jerk J for its
+//            release. When must it begin?
+// Formula    v(t) - w = p(t)^2 / (2 J):  with k = 1 + rate/J and S = v - w - p^2/(2 J), the speed
+//            to spare,
 //                t = 2 S / (p k + sqrt(p^2 k^2 + 2 rate k S))                                                  (1)
-//            J is estimated from what the stretches on the way of the release allow; where that was too much, t is made less.
-// Attempts   First in the hope that the speed will have fallen enough wherever a stretch allows little acceleration. If one
-//            refuses, p is lowered in time there and behind: it takes the way no less time than at the present speed. Then
+//            J is estimated from what the stretches on the way of the release allow; where that was
+//            too much, t is made less.
+// Attempts   First in the hope that the speed will have fallen enough wherever a stretch allows
+//            little acceleration. If one
+//            refuses, p is lowered in time there and behind: it takes the way no less time than at
+//            the present speed. Then
 //            everywhere, and earlier.
 //
-// Right     Every piece is within the limits of its stretch, and every stretch is entered below its ceiling, or possible() is
-//           false. So a braking that was possible once can be followed to its end whatever else comes into view.
+// Right     Every piece is within the limits of its stretch, and every stretch is entered below its
+//           ceiling, or possible() is
+//           false. So a braking that was possible once can be followed to its end whatever else
+//           comes into view.
 // Cost      a line: some 6 pieces; a bend: 6 to 20, each a handful of square roots, 20 to 50 ns.
-// Weakness  not quite the hardest braking on bends (a percent or two of the way), and sometimes none is found where there is
+// Weakness  not quite the hardest braking on bends (a percent or two of the way), and sometimes
+// none is found where there is
 //           one; both cost time only, for the promise before stands.
 #pragma once
 #include "kernel/motion/jerk_profile.hpp"
@@ -33,22 +43,30 @@ class Braking {
 public:
     // From `from` (s on the road) to a stand. `obey`: ceilings count.
     void along(Road& road, const PathState& from, bool obey = true) noexcept;
-    // First only to a speed, without acceleration from the place `at` on where a stretch begins; then from there to a stand.
-    struct Aim { double at, speed; };
+    // First only to a speed, without acceleration from the place `at` on where a stretch begins;
+    // then from there to a stand.
+    struct Aim {
+        double at, speed;
+    };
     void by_way_of(const Aim& aim, Road& road, const PathState& from) noexcept;
     // Standing.
     void stand() noexcept;
 
     [[nodiscard]] bool possible() const noexcept { return possible_; }
-    [[nodiscard]] std::uint32_t pieces() const noexcept { return count_ + 4; }  // what it cost, about
+    // what it cost, about
+    [[nodiscard]] std::uint32_t pieces() const noexcept { return count_ + 4; }
     [[nodiscard]] double distance() const noexcept { return at_[count_].s - at_[0].s; }
     [[nodiscard]] double end() const noexcept { return at_[count_].s; }  // on the road
-    [[nodiscard]] double falls_from() const noexcept { return at_[falling_].s; }  // on the road: no faster behind it
+    // on the road: no faster behind it
+    [[nodiscard]] double falls_from() const noexcept { return at_[falling_].s; }
     [[nodiscard]] double duration() const noexcept { return duration_; }
-    [[nodiscard]] bool aims() const noexcept { return aims_; }            // by way of a slower stretch
-    [[nodiscard]] double aim_time() const noexcept { return aim_time_; }  // when it has the speed of that
+    // by way of a slower stretch
+    [[nodiscard]] bool aims() const noexcept { return aims_; }
+    // when it has the speed of that
+    [[nodiscard]] double aim_time() const noexcept { return aim_time_; }
     [[nodiscard]] double peak() const noexcept { return peak_; }  // highest speed
-    // Leaving it on the way, can the speed be c, without falling below it, from the place d of the road on?
+    // Leaving it on the way, can the speed be c, without falling below it, from the place d of the
+    // road on?
     [[nodiscard]] bool arrives(double c, double d) const noexcept;
     // Where it is `dt` after `time`; s is what is moved in between. Stands at its end.
     [[nodiscard]] PathState follow(double time, double dt) const noexcept;
@@ -56,7 +74,8 @@ public:
 private:
     static constexpr std::uint32_t kMost = 160;
     void way(Road& road, const PathState& from, bool obey, const Aim* aim) noexcept;
-    bool walk(Road& road, const PathState& from, bool obey, bool gentle, double strict, const Aim* aim) noexcept;
+    bool walk(Road& road, const PathState& from, bool obey, bool gentle, double strict,
+              const Aim* aim) noexcept;
     class Walk;
     struct Release;
     std::uint32_t count_ = 0, falling_ = 0;  // pieces; the first of them without a > 0
@@ -65,7 +84,8 @@ private:
     bool aims_ = false;
     double refused_ = 0;  // where a stretch begins that allowed less acceleration
     double peak_ = 0, duration_ = 0, aim_time_ = 0;
-    std::array<PathState, kMost + 1> at_;  // at the beginning of each piece and at the end; s on the road
+    // at the beginning of each piece and at the end; s on the road
+    std::array<PathState, kMost + 1> at_;
     std::array<double, kMost> time_, jerk_;
     std::array<const Limits*, kMost> limits_;  // good as long as the road is
 };

@@ -1,5 +1,6 @@
-// A gap between where something is and where it shall be, closed without a step of acceleration: the quintic in time that begins
-// at (e, e', e'') and ends at (0, 0, 0). What follows a line (a spindle's thread, a partner's axis) adds it to that line.
+// A gap between where something is and where it shall be, closed without a step of acceleration:
+// the quintic in time that begins at (e, e', e'') and ends at (0, 0, 0). What follows a line (a
+// spindle's thread, a partner's axis) adds it to that line.
 //
 //   e |--.
 //     |    '-.
@@ -13,7 +14,7 @@ namespace polyturn::kernel {
 class ClosingGap {
 public:
     struct Value {
-        double e = 0, e1 = 0, e2 = 0;   // mm, mm/s, mm/s2
+        double e = 0, e1 = 0, e2 = 0;  // mm, mm/s, mm/s2
     };
 
     // From now on, within `time` seconds > 0.
@@ -46,8 +47,8 @@ public:
     }
 
 private:
-    double c_[6] = {};               // e(t) = sum c_[i] t^i
-    double run_ = 0, time_ = 0;      // time_ 0: closed
+    double c_[6] = {};           // e(t) = sum c_[i] t^i
+    double run_ = 0, time_ = 0;  // time_ 0: closed
 };
 
 }  // namespace polyturn::kernel

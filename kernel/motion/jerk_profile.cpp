@@ -6,7 +6,8 @@ namespace {
 // Braking from (v, 0) to (w, 0): mean speed (v + w)/2 times the time of a symmetrical ramp.
 double braking_length(double v, double w, double a_max, double j_max) {
     const double d = v - w;
-    const double time = d <= a_max * a_max / j_max ? 2 * std::sqrt(d / j_max) : d / a_max + a_max / j_max;
+    const double time =
+        d <= a_max * a_max / j_max ? 2 * std::sqrt(d / j_max) : d / a_max + a_max / j_max;
     return (v + w) / 2 * time;
 }
 

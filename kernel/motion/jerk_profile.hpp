@@ -11,9 +11,11 @@
 // Braking  (release > w)   p^2 = J (v - w) + a^2/2, at most A^2;  hold = (v + a^2/(2J) - p^2/J - w) / p       (1)
 //          a < -A at the start: jerk +J to -A first; (1) holds with that state.
 // Cost     One square root.
-// The trap: the distance to (w, 0) is not monotonous in w; to a crawl it can be longer than to a stop. For a fixed start
+// The trap: the distance to (w, 0) is not monotonous in w; to a crawl it can be longer than to a
+// stop. For a fixed start
 //          it rises and then falls as w grows from 0, so the least over [0, w] lies at an end.
-// Source   Biagiotti, Melchiorri: Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4.
+// Source   Biagiotti, Melchiorri: Trajectory Planning for Automatic Machines and Robots, 2008,
+//          section 3.4.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -38,14 +40,18 @@ struct SpeedProfile {
     [[nodiscard]] double duration() const noexcept { return time[0] + time[1] + time[2]; }
 };
 
-[[nodiscard]] inline double release_speed(double v, double a, double j) noexcept { return v + a * std::abs(a) / (2 * j); }
+[[nodiscard]] inline double release_speed(double v, double a, double j) noexcept {
+    return v + a * std::abs(a) / (2 * j);
+}
 
 // From (v, a) to (w, 0), time-optimal.
-[[nodiscard]] inline SpeedProfile profile_to_speed(double v, double a, double w, double a_max, double j_max) noexcept {
+[[nodiscard]] inline SpeedProfile profile_to_speed(double v, double a, double w, double a_max,
+                                                   double j_max) noexcept {
     SpeedProfile p;
     const double surplus = release_speed(v, a, j_max) - w;
     if (std::abs(surplus) <= 1e-11 * (std::abs(v) + std::abs(w))) {
-        // Releasing is all. Rounding must not put pieces around it: what is 1e-16 of v is 1e-8 of a time.
+        // Releasing is all. Rounding must not put pieces around it: what is 1e-16 of v is 1e-8 of a
+        // time.
         p.time[a > 0 ? 0 : 2] = std::abs(a) / j_max;
         p.jerk[a > 0 ? 0 : 2] = a > 0 ? -j_max : j_max;
         return p;
@@ -75,14 +81,16 @@ struct SpeedProfile {
     return p;
 }
 
-// Where a profile leads; t: how far along it (its whole duration, and standing still in acceleration afterwards).
+// Where a profile leads; t: how far along it (its whole duration, and standing still in
+// acceleration afterwards).
 [[nodiscard]] inline PathState after_profile(PathState x, const SpeedProfile& p) noexcept {
     for (int i = 0; i < 3; ++i) x = advanced(x, p.jerk[i], p.time[i]);
     return x;
 }
 
 // One tick towards speed w, switching inside the tick where the profile does; once there, steady.
-[[nodiscard]] inline PathState towards_speed(PathState x, double w, double a_max, double j_max, double dt) noexcept {
+[[nodiscard]] inline PathState towards_speed(PathState x, double w, double a_max, double j_max,
+                                             double dt) noexcept {
     const SpeedProfile p = profile_to_speed(x.v, x.a, w, a_max, j_max);
     double left = dt;
     for (int i = 0; i < 3; ++i) {
@@ -101,28 +109,36 @@ struct SpeedProfile {
 }
 
 // Length of the way from (v, a) to (w, 0) by profile_to_speed.
-[[nodiscard]] inline double distance_to_speed(double v, double a, double w, double a_max, double j_max) noexcept {
+[[nodiscard]] inline double distance_to_speed(double v, double a, double w, double a_max,
+                                              double j_max) noexcept {
     return after_profile({0, v, a}, profile_to_speed(v, a, w, a_max, j_max)).s;
 }
-[[nodiscard]] inline double stopping_distance(double v, double a, double a_max, double j_max) noexcept {
+[[nodiscard]] inline double stopping_distance(double v, double a, double a_max,
+                                              double j_max) noexcept {
     return distance_to_speed(v, a, 0, a_max, j_max);
 }
-// No speed at all takes longer to brake to than this: the stopping distance and what the trap adds at the most. With
-// u = v + a^2/(2J), the speed of which (v, a) is a part of the braking: the longest is to u/3, by 0.0887 u sqrt(u/J), as
-// long as A is not reached; with A reached to A^2/(2J), by A^3/(8 J^2).
-[[nodiscard]] inline double longest_braking(double v, double a, double a_max, double j_max) noexcept {
+// No speed at all takes longer to brake to than this: the stopping distance and what the trap adds
+// at the most. With u = v + a^2/(2J), the speed of which (v, a) is a part of the braking: the
+// longest is to u/3, by 0.0887 u sqrt(u/J), as long as A is not reached; with A reached to
+// A^2/(2J), by A^3/(8 J^2).
+[[nodiscard]] inline double longest_braking(double v, double a, double a_max,
+                                            double j_max) noexcept {
     const double u = v + a * a / (2 * j_max);
-    return stopping_distance(v, a, a_max, j_max) + std::min(0.09 * u * std::sqrt(u / j_max), a_max * a_max * a_max / (8 * j_max * j_max));
+    return stopping_distance(v, a, a_max, j_max) +
+           std::min(0.09 * u * std::sqrt(u / j_max), a_max * a_max * a_max / (8 * j_max * j_max));
 }
 [[nodiscard]] inline double stopping_time(double v, double a, double a_max, double j_max) noexcept {
     return profile_to_speed(v, a, 0, a_max, j_max).duration();
 }
 
-// Highest speed with a = 0 from which (w, 0) or less is reached within a distance. Bisection: exact to rounding, from below.
+// Highest speed with a = 0 from which (w, 0) or less is reached within a distance. Bisection: exact
+// to rounding, from below.
 [[nodiscard]] double top_speed(double distance, double w, double a_max, double j_max) noexcept;
 
-// While acceleration is released at once (a < 0, jerk +J): way until the speed has fallen to c. Given v > c >= release.
-[[nodiscard]] inline double release_distance_to(double v, double a, double c, double j_max) noexcept {
+// While acceleration is released at once (a < 0, jerk +J): way until the speed has fallen to c.
+// Given v > c >= release.
+[[nodiscard]] inline double release_distance_to(double v, double a, double c,
+                                                double j_max) noexcept {
     const double t = (-a - std::sqrt(std::max(a * a - 2 * j_max * (v - c), 0.0))) / j_max;
     return t * (v + t * (a / 2 + t * j_max / 6));
 }

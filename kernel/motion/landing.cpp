@@ -2,11 +2,14 @@
 
 namespace polyturn::kernel {
 
-bool Landing::aim(double v, double a, double distance, double a_max, double j_least, double j_most) noexcept {
+bool Landing::aim(double v, double a, double distance, double a_max, double j_least,
+                  double j_most) noexcept {
     if (!(v > 0)) return false;
     double low = std::max(j_least, a < 0 ? a * a / (2 * v) : 0.0), high = j_most;
     // The softer the jerk, the longer the way.
-    if (low > high || stopping_distance(v, a, a_max, high) > distance || stopping_distance(v, a, a_max, low) < distance * (1 - 1e-8)) return false;
+    if (low > high || stopping_distance(v, a, a_max, high) > distance ||
+        stopping_distance(v, a, a_max, low) < distance * (1 - 1e-8))
+        return false;
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
         (stopping_distance(v, a, a_max, middle) <= distance ? high : low) = middle;

@@ -1,5 +1,6 @@
-// Coming to rest exactly at a point: a braking profile whose jerk is chosen so that its length is the distance left, then
-// driven to its end without another decision. The last phase is computed backwards from the end, so the end is exact.
+// Coming to rest exactly at a point: a braking profile whose jerk is chosen so that its length is
+// the distance left, then driven to its end without another decision. The last phase is computed
+// backwards from the end, so the end is exact.
 #pragma once
 #include "kernel/motion/jerk_profile.hpp"
 
@@ -7,8 +8,10 @@ namespace polyturn::kernel {
 
 class Landing {
 public:
-    // From (v, a), distance before the point, with a jerk between j_least and j_most. False if none of them fits.
-    [[nodiscard]] bool aim(double v, double a, double distance, double a_max, double j_least, double j_most) noexcept;
+    // From (v, a), distance before the point, with a jerk between j_least and j_most. False if none
+    // of them fits.
+    [[nodiscard]] bool aim(double v, double a, double distance, double a_max, double j_least,
+                           double j_most) noexcept;
     // The next dt: s is what is moved in it. At rest exactly when landed().
     PathState step(double dt) noexcept;
     [[nodiscard]] bool landed() const noexcept { return landed_; }

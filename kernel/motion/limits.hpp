@@ -1,15 +1,20 @@
-// How hard and how suddenly the speed along the path may change at a speed v: what the axes have left.
+// How hard and how suddenly the speed along the path may change at a speed v: what the axes have
+// left.
 //
-// With t, n the unit tangent and normal of a plane path and k its curvature, a point that moves along it has
+// With t, n the unit tangent and normal of a plane path and k its curvature, a point that moves
+// along it has
 //     acceleration   t a                + n k v^2
 //     jerk           t (j - k^2 v^3)    + n (3 k v a + k' v^3)
-// so that, with bend k, turning 3 k, along k^2 and across |k'| the largest of a record (in general: channels/path/ceilings.hpp),
+// so that, with bend k, turning 3 k, along k^2 and across |k'| the largest of a record (in general:
+// channels/path/ceilings.hpp),
 //     a^2 + (bend v^2)^2                                      <= A^2                                         (1)
 //     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= J^2                                         (2)
 // keep the axes within A and J. On a line the four are 0 and A and J are all there is (`flat`).
 //
-// Right     Both leave the more the smaller v is: what is allowed at some speed is allowed at any lower one. So a braking
-//           whose pieces are each judged at their highest speed and acceleration keeps (1) and (2) all along.
+// Right     Both leave the more the smaller v is: what is allowed at some speed is allowed at any
+//           lower one. So a braking
+//           whose pieces are each judged at their highest speed and acceleration keeps (1) and (2)
+//           all along.
 // Cost      A square root or two.
 #pragma once
 #include <algorithm>
@@ -18,22 +23,26 @@
 namespace polyturn::kernel {
 
 struct Limits {
-    double a = 0;       // mm/s2 at standstill
-    double j = 0;       // mm/s3 at standstill
+    double a = 0;                  // mm/s2 at standstill
+    double j = 0;                  // mm/s3 at standstill
     double bend = 0, turning = 0;  // 1/mm
     double along = 0, across = 0;  // 1/mm2
 
-    // Of the jerk, kept for changing acceleration at the largest one: without it, a braking could not be ended.
+    // Of the jerk, kept for changing acceleration at the largest one: without it, a braking could
+    // not be ended.
     static constexpr double kChange = 0.08;
 
-    [[nodiscard]] bool flat() const noexcept { return bend == 0 && turning == 0 && along == 0 && across == 0; }
+    [[nodiscard]] bool flat() const noexcept {
+        return bend == 0 && turning == 0 && along == 0 && across == 0;
+    }
     // Largest acceleration at v that leaves jerk to end it; 0: faster than these limits know.
     [[nodiscard]] double acceleration(double v) const noexcept {
         if (flat()) return a;
         const double v3 = v * v * v, normal = bend * v * v, tangential = along * v3 + kChange * j;
         const double left = a * a - normal * normal, jerk_left = j * j - tangential * tangential;
         if (!(left > 0) || !(jerk_left > 0)) return 0;
-        const double by_a = std::sqrt(left), by_j = std::sqrt(jerk_left) - across * v3, turn = turning * v;
+        const double by_a = std::sqrt(left), by_j = std::sqrt(jerk_left) - across * v3,
+                     turn = turning * v;
         return by_j <= 0 ? 0 : by_a * turn <= by_j ? by_a : by_j / turn;
     }
     // Largest jerk at v as long as the acceleration is no more than p, either way.
@@ -66,7 +75,8 @@ struct Limits {
         across = std::min(across, other.across);
     }
     [[nodiscard]] bool narrower_than(const Limits& other) const noexcept {
-        return a < other.a || j < other.j || bend > other.bend || turning > other.turning || along > other.along || across > other.across;
+        return a < other.a || j < other.j || bend > other.bend || turning > other.turning ||
+               along > other.along || across > other.across;
     }
 };
 

@@ -1,6 +1,6 @@
-// Something that is driven follows a line that something else draws: a spindle its master, a workpiece axis the hob, a polygon
-// cutter the workpiece. Whatever it does when it begins, it comes onto the line within its speed, acceleration and jerk, and
-// stays on it.
+// Something that is driven follows a line that something else draws: a spindle its master, a
+// workpiece axis the hob, a polygon cutter the workpiece. Whatever it does when it begins, it comes
+// onto the line within its speed, acceleration and jerk, and stays on it.
 //
 //   s |              .-'  line + offset         Closing  the gap e = s - (line + offset) runs to 0 as the quintic in time that
 //     |          .-'.'                                   begins at (e, e', e'') and ends in (0, 0, 0)
@@ -8,11 +8,15 @@
 //     |_________.'                                       a triple integrator whose jerk is what the deviation asks for, within
 //     +---------|---------> t                            the limits: noise moves nothing but jerk (as in thread_follower.hpp)
 //
-// Offset   Aim::Exactly 0; Aim::Period whole multiples of a period (a phase: any turn will do), Aim::Anywhere whatever the
-//          gentlest way onto the line leaves. The gentlest one starts |e'| T/2 beside the line and asks for 1.5 |e'|/T of
-//          acceleration and 6 |e'|/T^2 of jerk; what else is between them asks for 5.78 r/T^2 and 60 r/T^3.
+// Offset   Aim::Exactly 0; Aim::Period whole multiples of a period (a phase: any turn will do),
+//          Aim::Anywhere whatever the
+//          gentlest way onto the line leaves. The gentlest one starts |e'| T/2 beside the line and
+//          asks for 1.5 |e'|/T of
+//          acceleration and 6 |e'|/T^2 of jerk; what else is between them asks for 5.78 r/T^2 and
+//          60 r/T^3.
 // Share    Closing uses a part of the limits, the rest is the line's own motion.
-// Cost     A search of at most 64 steps in the tick in which it begins; then some ten multiplications a tick.
+// Cost     A search of at most 64 steps in the tick in which it begins; then some ten
+//          multiplications a tick.
 #pragma once
 #include "kernel/motion/closing_gap.hpp"
 #include "kernel/motion/jerk_profile.hpp"
@@ -23,10 +27,11 @@ class LineFollower {
 public:
     enum class Aim : unsigned char { Exactly, Period, Anywhere };
     struct Limits {
-        double speed = 0, acceleration = 0, jerk = 0;   // jerk may be infinite
+        double speed = 0, acceleration = 0, jerk = 0;  // jerk may be infinite
     };
     // `now` and `line`: at this tick's start.
-    void begin(const PathState& now, const PathState& line, const Limits& limits, Aim aim, double period, double dt) noexcept;
+    void begin(const PathState& now, const PathState& line, const Limits& limits, Aim aim,
+               double period, double dt) noexcept;
     // `line`: at this tick's end. Where the follower is then.
     PathState tick(const PathState& line, double dt) noexcept;
     // Leaves the line: one tick of braking to rest.
@@ -34,10 +39,16 @@ public:
 
     [[nodiscard]] bool on_line() const noexcept { return !gap_.open(); }
     [[nodiscard]] double offset() const noexcept { return offset_; }
-    [[nodiscard]] double gap() const noexcept { return e_; }              // that it is meant to have at this tick's end
+    // that it is meant to have at this tick's end
+    [[nodiscard]] double gap() const noexcept { return e_; }
     [[nodiscard]] const PathState& state() const noexcept { return state_; }
-    [[nodiscard]] bool too_slow() const noexcept { return too_slow_; }    // its speed limit keeps it off the line
-    void shift(double by) noexcept { state_.s += by, offset_ += by; }     // its coordinate was moved
+    // its speed limit keeps it off the line
+    [[nodiscard]] bool too_slow() const noexcept { return too_slow_; }
+    // its coordinate was moved
+    void shift(double by) noexcept {
+        state_.s += by;
+        offset_ += by;
+    }
 
 private:
     double fitting_time(double e, double e1, double e2, double line_speed) const noexcept;

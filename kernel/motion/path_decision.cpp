@@ -1,4 +1,5 @@
-// How the planner decides. Its window and the carrying over records: path_planner.cpp; what it sees: path_view.cpp.
+// How the planner decides. Its window and the carrying over records: path_planner.cpp; what it
+// sees: path_view.cpp.
 //
 //   v |        stretch 2                         Every tick asks: which is the fastest step from which the path can still
 //     |  ----.                    .------        come to a stand, below every ceiling and within every limit on the way?
@@ -8,32 +9,44 @@
 //     |         ' .  brakes             |        What is not planned yet, an exact stop, a record that the kernel executes:
 //     +-----------'---------------------'---> s  standstill.
 //
-// Given    (s, v, a) now; ceilings and limits of each stretch of the road; feeds, which are wanted but not at any price.
+// Given    (s, v, a) now; ceilings and limits of each stretch of the road; feeds, which are wanted
+//          but not at any price.
 //
 // Two questions are asked of the state after a step.
-//   safe     Does braking as hard as can be from there (braking.hpp) keep every hard ceiling and every limit and end before the
-//            path must stand? No other braking is slower at any place, so if it does not fall below a ceiling in time, none does.
-//            That braking is remembered: it is promised. If no faster step is safe at the next tick, it is followed, as it
-//            was computed. So there always is a safe step, and the path can always stop within what is in the window; the
+//   safe     Does braking as hard as can be from there (braking.hpp) keep every hard ceiling and
+//            every limit and end before the
+//            path must stand? No other braking is slower at any place, so if it does not fall below
+//            a ceiling in time, none does.
+//            That braking is remembered: it is promised. If no faster step is safe at the next
+//            tick, it is followed, as it
+//            was computed. So there always is a safe step, and the path can always stop within what
+//            is in the window; the
 //            promise stays good when the view changes, for records are final.
-//   arrives  (wanted ceilings only) Is each ceiling reached without the speed having to fall below it afterwards? Full
-//            braking would carry its acceleration into the slow record and undershoot there, which is safe but slower.
-// A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of steps towards the lowest
-// ceiling that is violated.
+//   arrives  (wanted ceilings only) Is each ceiling reached without the speed having to fall below
+//   it afterwards? Full
+//            braking would carry its acceleration into the slow record and undershoot there, which
+//            is safe but slower.
+// A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of
+// steps towards the lowest ceiling that is violated.
 //
 // Rounding The last way to a stand is a landing, whose end is exact (landing.hpp).
-// Right    tests: raw differences of the position on random records, feeds, overrides, holds at random ticks; anomalies()
+// Right    tests: raw differences of the position on random records, feeds, overrides, holds at
+//          random ticks; anomalies()
 //          counts the ticks without a promise or a safe step.
 // Time     tests/bench/motion_bench: 0.5 % above the least time on lines, 6 to 10 % on curves.
-// Cost     Most ticks follow what is promised (path_promise.cpp): 0.1 us on lines, 0.8 us with a slow blend every few
-//          millimetres or lines and blends of 0.1 mm in turn. A tick that thinks tries at most kPiecesPerTick pieces of
+// Cost     Most ticks follow what is promised (path_promise.cpp): 0.1 us on lines, 0.8 us with a
+//          slow blend every few
+//          millimetres or lines and blends of 0.1 mm in turn. A tick that thinks tries at most
+//          kPiecesPerTick pieces of
 //          brakings, some 6 us.
-// Weakness Acceleration ends before a wanted ceiling, however steadily it sinks (a spiral). Nothing is seen behind the
+// Weakness Acceleration ends before a wanted ceiling, however steadily it sinks (a spiral). Nothing
+// is seen behind the
 //          horizon: 1024 records of 1/20 mm are 50 mm to brake in.
-// Source   Promise: as in invariant-set filters of model predictive control. Rest: jerk_profile.hpp.
-#include "kernel/motion/path_planner.hpp"
-
+// Source   Promise: as in invariant-set filters of model predictive control. Rest:
+//          jerk_profile.hpp.
 #include <cmath>
+
+#include "kernel/motion/path_planner.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -41,45 +54,60 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kBisections = 7;
 constexpr double kRounding = 1e-8;  // mm
-constexpr double kStands = 0.85;     // of the way that is left: then the speed falls for the stand, not for a ceiling
-constexpr double kTogether = 0.03;   // s: slow stretches that follow each other as one
+// of the way that is left: then the speed falls for the stand, not for a ceiling
+constexpr double kStands = 0.85;
+constexpr double kTogether = 0.03;  // s: slow stretches that follow each other as one
 constexpr double kLonger = 0.15;    // braking to a crawl can be that much longer than to a stand
 constexpr double kFast = 1e6;       // mm/s: as hard as can be
 
 PathState between(const PathState& low, const PathState& high, double part) noexcept {
-    return {low.s + part * (high.s - low.s), low.v + part * (high.v - low.v), low.a + part * (high.a - low.a)};
+    return {low.s + part * (high.s - low.s), low.v + part * (high.v - low.v),
+            low.a + part * (high.a - low.a)};
 }
 
 }  // namespace
 
 PathPlanner::Step PathPlanner::step_towards(double speed, const Limits& limits) const noexcept {
-    Step step{towards_speed({0, state_.v, state_.a}, speed, limits.a, limits.j, dt_), speed, limits};
+    Step step{towards_speed({0, state_.v, state_.a}, speed, limits.a, limits.j, dt_), speed,
+              limits};
     PathState& next = step.next;
     // The last thousandth of a stop that ends just behind the tick: at rest.
-    if (state_.a < 0 && next.a <= 0 && next.v < 1e-6 && next.v > -1e-6 && -next.a < 0.02 * limits.j * dt_) next.v = next.a = 0;
+    if (state_.a < 0 && next.a <= 0 && next.v < 1e-6 && next.v > -1e-6 &&
+        -next.a < 0.02 * limits.j * dt_)
+        next.v = next.a = 0;
     return step;
 }
 
 // How fast is a step where it has come to a distance?
 double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
     const double v0 = state_.v, v1 = step.next.v;
-    if (!(step.limits.a > 0)) return std::sqrt(std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * std::min(1.0, distance / step.next.s)));
+    if (!(step.limits.a > 0))
+        return std::sqrt(
+            std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * std::min(1.0, distance / step.next.s)));
     const PathState start{0, v0, state_.a};
     double low = 0, high = dt_;
     for (int i = 0; i < 40; ++i) {
         const double middle = (low + high) / 2;
-        (towards_speed(start, step.speed, step.limits.a, step.limits.j, middle).s < distance ? low : high) = middle;
+        (towards_speed(start, step.speed, step.limits.a, step.limits.j, middle).s < distance
+             ? low
+             : high) = middle;
     }
     return towards_speed(start, step.speed, step.limits.a, step.limits.j, high).v;
 }
 
-// Is it safe to take a step, and if ceilings are wanted, does it arrive at each? tried_ is the braking from there.
+// Is it safe to take a step, and if ceilings are wanted, does it arrive at each? tried_ is the
+// braking from there.
 bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     const PathState& next = step.next;
     if (next.v < 0 || next.s < 0) return false;
-    if (step.limits.a > 0 && state_.a < 0 && release_speed(state_.v, state_.a, step.limits.j) < -1e-9) return false;  // backwards within it
+    // backwards within it
+    if (step.limits.a > 0 && state_.a < 0 &&
+        release_speed(state_.v, state_.a, step.limits.j) < -1e-9)
+        return false;
     // Ceilings that are passed within the tick.
-    const double highest = std::max({state_.v, next.v, state_.a > 0 && next.a <= 0 ? release_speed(state_.v, state_.a, view.tick.j) : 0.0});
+    const double highest = std::max(
+        {state_.v, next.v,
+         state_.a > 0 && next.a <= 0 ? release_speed(state_.v, state_.a, view.tick.j) : 0.0});
     if (highest > 1.001 * at(first_).v_max && highest > std::max(state_.v, next.v)) return false;
     for (std::uint32_t i = 0; view.end_of(i) < next.s; ++i) {
         const Stretch* const entered = view.stretch(i + 1);
@@ -90,7 +118,8 @@ bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     return comes_to_rest(view, which, next);
 }
 
-// From a place on the road: is there a way to a stand, and if ceilings are wanted, by way of each of them?
+// From a place on the road: is there a way to a stand, and if ceilings are wanted, by way of each
+// of them?
 bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& next) noexcept {
     if (next.v == 0 && next.a == 0 && next.s <= view.end_of(view.within)) {
         tried_.stand();
@@ -101,25 +130,38 @@ bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& nex
     tried_.along(view, next);
     pieces_ += tried_.pieces();
     const bool stands = tried_.possible();
-    if (stands && (which == Ceilings::Hard || (view.closed() && tried_.distance() >= kStands * (view.end() - next.s)))) return true;
-    const double speed = stands ? tried_.peak() : std::max(next.v, release_speed(next.v, std::max(next.a, 0.0), view.tick.j));
+    if (stands && (which == Ceilings::Hard ||
+                   (view.closed() && tried_.distance() >= kStands * (view.end() - next.s))))
+        return true;
+    const double speed =
+        stands ? tried_.peak()
+               : std::max(next.v, release_speed(next.v, std::max(next.a, 0.0), view.tick.j));
     const double crawl = view.tick.a * view.tick.a * view.tick.a / (4 * view.tick.j * view.tick.j);
-    const double end = stands ? tried_.end() + kLonger * tried_.distance() + crawl : next.s + speed * (speed / view.tick.a + view.tick.a / view.tick.j);
-    // The first slower stretch from whose speed the next slower one, or the stand, can still be reached.
+    const double end = stands ? tried_.end() + kLonger * tried_.distance() + crawl
+                              : next.s + speed * (speed / view.tick.a + view.tick.a / view.tick.j);
+    // The first slower stretch from whose speed the next slower one, or the stand, can still be
+    // reached.
     Braking::Aim first{kInfinity, 0};
     Limits there;
     double lowest = speed;
     for (std::uint32_t i = 0; view.end_of(i) < end; ++i) {
         const Stretch* const ahead = view.stretch(i + 1);
         if (ahead == nullptr) break;
-        if (ahead->begin <= next.s || ahead->ceiling >= lowest * (1 - 1e-9) || (stands && ahead->begin <= tried_.falls_from())) continue;
+        if (ahead->begin <= next.s || ahead->ceiling >= lowest * (1 - 1e-9) ||
+            (stands && ahead->begin <= tried_.falls_from()))
+            continue;
         lowest = ahead->ceiling;
-        if (first.at < kInfinity && distance_to_speed(first.speed, 0, lowest, there.a, there.j) <= ahead->begin - first.at) break;
+        if (first.at < kInfinity &&
+            distance_to_speed(first.speed, 0, lowest, there.a, there.j) <= ahead->begin - first.at)
+            break;
         first = {ahead->begin, lowest};
         there = ahead->limits.at(lowest, 0.5 * ahead->limits.a);
         if (!(there.a > 0) || !(there.j > 0)) break;
     }
-    if (stands && (first.at == kInfinity || (view.closed() && stopping_distance(first.speed, 0, there.a, there.j) > view.end() - first.at))) return true;
+    if (stands && (first.at == kInfinity ||
+                   (view.closed() &&
+                    stopping_distance(first.speed, 0, there.a, there.j) > view.end() - first.at)))
+        return true;
     // By way of the next slower stretches, at their speed.
     if (!(first.speed > 0)) return false;
     tried_.by_way_of(first, view, next);
@@ -134,7 +176,8 @@ bool PathPlanner::take(View& view, Ceilings which, const Step& step) noexcept {
 }
 
 // The step nearest to `high` that can be taken; `low` is as good as promised. False: none but that.
-bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low, const PathState& high, PathState& next) noexcept {
+bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low,
+                               const PathState& high, PathState& next) noexcept {
     double good = 0, bad = 1;
     for (int i = 0; i < kBisections; ++i) {
         const double part = (good + bad) / 2;
@@ -148,40 +191,54 @@ bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low,
 double PathPlanner::lowest_violated(View& view, const PathState& next) noexcept {
     tried_.along(view, next, false);
     double lowest = std::max(next.v, tried_.peak()), violated = kInfinity;
-    for (std::uint32_t i = 0; i == 0 || view.end_of(i - 1) < tried_.end() + kLonger * tried_.distance(); ++i) {
+    for (std::uint32_t i = 0;
+         i == 0 || view.end_of(i - 1) < tried_.end() + kLonger * tried_.distance(); ++i) {
         const Stretch* const ahead = view.stretch(i);
         if (ahead == nullptr) break;
         if (ahead->ceiling >= lowest) continue;
         lowest = ahead->ceiling;
-        if (!tried_.possible() || !tried_.arrives(lowest, ahead->begin + kRounding)) violated = lowest;
+        if (!tried_.possible() || !tried_.arrives(lowest, ahead->begin + kRounding))
+            violated = lowest;
     }
     return violated;
 }
 
-// Has what is wanted changed since the last tick? (Of spindles the one of the running record: with another one's the ceilings
-// of later records may be other than promised, which is seen when they are near.)
+// Has what is wanted changed since the last tick? (Of spindles the one of the running record: with
+// another one's the ceilings of later records may be other than promised, which is seen when they
+// are near.)
 bool PathPlanner::want(const PathInput& input) noexcept {
     const Slot& running = at(first_);
-    const bool turns = running.feed_mode == FeedMode::PerRevolution && input.spindle_rev_s != nullptr && running.spindle >= 1 && running.spindle <= kMaxSpindles;
-    const std::array<double, 7> now{input.feed_override, input.rapid_override, input.dry_run_feed, input.speed_ceiling, turns ? input.spindle_rev_s[running.spindle - 1] : 0,
-                                    static_cast<double>(input.single_block), static_cast<double>(input.hold)};
+    const bool turns = running.feed_mode == FeedMode::PerRevolution &&
+                       input.spindle_rev_s != nullptr && running.spindle >= 1 &&
+                       running.spindle <= kMaxSpindles;
+    const std::array<double, 7> now{input.feed_override,
+                                    input.rapid_override,
+                                    input.dry_run_feed,
+                                    input.speed_ceiling,
+                                    turns ? input.spindle_rev_s[running.spindle - 1] : 0,
+                                    static_cast<double>(input.single_block),
+                                    static_cast<double>(input.hold)};
     const bool changed = now != wanted_;
     wanted_ = now;
     return changed;
 }
 
 PathState PathPlanner::choose(const PathInput& input) noexcept {
-    if (landing_end_ != kNone && (stops_at_end(landing_end_) || (input.single_block && landing_end_ == block_latch_))) return landing_.step(dt_);
+    if (landing_end_ != kNone &&
+        (stops_at_end(landing_end_) || (input.single_block && landing_end_ == block_latch_)))
+        return landing_.step(dt_);
     const bool wants_changed = want(input);
     other_wanted_ = other_wanted_ || wants_changed;
     if (follows_blindly()) {
-        if (pushed_ == push_end_) --patience_;
+        if (pushed_ == push_end_) --timeout_;
         return keep_promise();
     }
     pieces_ = 0;
-    if (other_wanted_ && promise_time_ >= 0 && (pushed_ < push_end_ || promise_aims_) && !promise_braking(input) && pushed_ < push_end_) return keep_promise();
+    if (other_wanted_ && promise_time_ >= 0 && (pushed_ < push_end_ || promise_aims_) &&
+        !promise_braking(input) && pushed_ < push_end_)
+        return keep_promise();
     other_wanted_ = false;
-    patience_ = 0;
+    timeout_ = 0;
     view_.begin(*this, Ceilings::Wanted, input);
     const double goal = input.hold ? 0 : view_.ceiling;
     Step step = step_towards(goal, view_.tick);
@@ -193,12 +250,16 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
             return keep_promise();
         }
     }
-    if (!input.hold && view_.rises({0, state_.v, state_.a})) {  // a slow record that ends before its ceiling could be passed
+    // a slow record that ends before its ceiling could be passed
+    if (!input.hold && view_.rises({0, state_.v, state_.a})) {
         const Step most = step_towards(kFast, view_.tick);
         bool taken = true;
-        if (take(view_, Ceilings::Wanted, most)) next = most.next;
-        else if (!take(view_, Ceilings::Wanted, step)) taken = false;
-        else if (!best_between(view_, Ceilings::Wanted, step.next, most.next, next)) next = step.next;
+        if (take(view_, Ceilings::Wanted, most))
+            next = most.next;
+        else if (!take(view_, Ceilings::Wanted, step))
+            taken = false;
+        else if (!best_between(view_, Ceilings::Wanted, step.next, most.next, next))
+            next = step.next;
         if (taken) {
             landing_end_ = kNone;
             return next;
@@ -224,15 +285,20 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     if (step_over_rest(view_)) return {view_.end(), 0, 0};
     // As hard as can be: as promised, or found now.
     const bool promised = promise_time_ >= 0;
-    const PathState low = promised ? promise_.follow(promise_time_, dt_) : step_towards(0, view_.tick).next;
+    const PathState low =
+        promised ? promise_.follow(promise_time_, dt_) : step_towards(0, view_.tick).next;
     const auto best = [&](Ceilings which) {
-        if (!best_between(view_, which, low, step.next, next)) next = promised ? keep_promise() : low;
-        if (which == Ceilings::Wanted || input.hold) be_patient();
+        if (!best_between(view_, which, low, step.next, next))
+            next = promised ? keep_promise() : low;
+        if (which == Ceilings::Wanted || input.hold) keep_braking_profile();
         return next;
     };
     const bool arrives = promised && promise_wanted_ && !wants_changed;
-    if (arrives || (promised ? safe(view_, Ceilings::Wanted, {low, 0, {}}) : take(view_, Ceilings::Wanted, {low, 0, {}}))) return best(Ceilings::Wanted);
-    // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
+    if (arrives || (promised ? safe(view_, Ceilings::Wanted, {low, 0, {}})
+                             : take(view_, Ceilings::Wanted, {low, 0, {}})))
+        return best(Ceilings::Wanted);
+    // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is
+    // violated, as the hard limits allow.
     const double wanted = std::min({goal, state_.v, lowest_violated(view_, low)});
     view_.begin(*this, Ceilings::Hard, input);
     if (begin_landing(view_)) return landing_.step(dt_);
@@ -260,7 +326,8 @@ bool PathPlanner::step_over_rest(View& view) noexcept {
     return false;
 }
 
-// The rest of the way to a stand as one profile that ends exactly there, if it is short or nothing changes on it.
+// The rest of the way to a stand as one profile that ends exactly there, if it is short or nothing
+// changes on it.
 bool PathPlanner::begin_landing(View& view) noexcept {
     const double v = state_.v, a = state_.a;
     if (!(v > 0) || promise_time_ < 0) return false;
@@ -278,20 +345,26 @@ bool PathPlanner::begin_landing(View& view) noexcept {
         ++last;
     }
     const double distance = view.end_of(last);
-    if (!view.closed() || view.stretch(last + 1) != nullptr || view.end_record == kNone) return false;
+    if (!view.closed() || view.stretch(last + 1) != nullptr || view.end_record == kNone)
+        return false;
     Limits limits = least.at(v, std::abs(a));  // they grow as the speed falls
     if (!(limits.j > 0)) return false;
-    const double highest = a > 0 ? v + a * a / limits.j : v;   // before it falls, it rises
+    const double highest = a > 0 ? v + a * a / limits.j : v;  // before it falls, it rises
     if (a > 0) limits = least.at(highest, a);
     if (!(limits.a > 0) || !(limits.j > 0) || std::abs(a) > limits.a * (1 + 1e-12)) return false;
     if (left > 6 * dt_ && (!alike || !limits.flat() || !least.flat())) return false;
     // Now, or can more speed still be had?
     const double softer = std::max(0.95 * limits.j, a < 0 ? a * a / (2 * v) : 0.0);
-    if (stopping_distance(v, a, limits.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, limits.a, limits.j) > 3 * dt_) return false;
-    if (!landing_.aim(v, a, distance, limits.a, limits.j / 100, limits.j / kPlannedJerk)) return false;
+    if (stopping_distance(v, a, limits.a, softer) <= distance * (1 - 1e-9) &&
+        stopping_time(v, a, limits.a, limits.j) > 3 * dt_)
+        return false;
+    if (!landing_.aim(v, a, distance, limits.a, limits.j / 100, limits.j / kPlannedJerk))
+        return false;
     if (a > 0 && !least.flat() && release_speed(v, a, landing_.jerk()) > highest) return false;
-    // It never rises above where it is by more than the ceilings allow, and comes below each in time.
-    const double rises_until = a > 0 ? advanced({0, v, a}, -landing_.jerk(), a / landing_.jerk()).s : 0;
+    // It never rises above where it is by more than the ceilings allow, and comes below each in
+    // time.
+    const double rises_until =
+        a > 0 ? advanced({0, v, a}, -landing_.jerk(), a / landing_.jerk()).s : 0;
     const SpeedProfile profile = profile_to_speed(v, a, 0, limits.a, landing_.jerk());
     for (std::uint32_t i = 0; i <= last; ++i) {
         const Stretch& stretch = *view.stretch(i);
@@ -303,13 +376,17 @@ bool PathPlanner::begin_landing(View& view) noexcept {
                 double low = 0, high = profile.time[piece];
                 for (int k = 0; k < 30; ++k) {
                     const double middle = (low + high) / 2;
-                    (advanced(x, profile.jerk[piece], middle).s < stretch.begin ? low : high) = middle;
+                    (advanced(x, profile.jerk[piece], middle).s < stretch.begin ? low : high) =
+                        middle;
                 }
-                if (advanced(x, profile.jerk[piece], high).v > stretch.ceiling * (1 + 1e-7)) return false;
+                if (advanced(x, profile.jerk[piece], high).v > stretch.ceiling * (1 + 1e-7))
+                    return false;
             }
             x = end;
         }
-        if (a > 0 && stretch.begin <= rises_until && release_speed(v, a, landing_.jerk()) > stretch.ceiling) return false;
+        if (a > 0 && stretch.begin <= rises_until &&
+            release_speed(v, a, landing_.jerk()) > stretch.ceiling)
+            return false;
     }
     landing_end_ = view.end_record;
     forget_promise();

@@ -1,4 +1,5 @@
-// The planner's window of records, and the carrying of one tick's way over them. How it decides: path_decision.cpp.
+// The planner's window of records, and the carrying of one tick's way over them. How it decides:
+// path_decision.cpp.
 #include "kernel/motion/path_planner.hpp"
 
 #include <cmath>
@@ -20,7 +21,8 @@ PlannedRecord PlannedRecord::from(const PathRecord& record, bool stop_before) no
     planned.across = record.bend_across;
     planned.feed = record.feed;
     planned.spindle = record.spindle;
-    planned.feed_mode = (record.flags & kRapid) != 0 ? FeedMode::Rapid : static_cast<FeedMode>(record.feed_mode);
+    planned.feed_mode =
+        (record.flags & kRapid) != 0 ? FeedMode::Rapid : static_cast<FeedMode>(record.feed_mode);
     planned.override_locked = (record.flags & (kOverrideLocked | kThread)) != 0;
     planned.stop_before = stop_before;
     planned.stop_after = (record.flags & (kExactStop | kInPosition)) != 0;
@@ -67,10 +69,21 @@ void PathPlanner::append(const PlannedRecord& record) noexcept {
 void PathPlanner::add_to_group(std::uint64_t record) noexcept {
     Group& group = groups_[record % kPlannerWindow / kGroup];
     const Slot& slot = at(record);
-    // Begun anew with its first record. One that clear() left half filled keeps what it has: lower limits only cost time
-    // to look at, but a length would be wrong, so it counts as stopping.
+    // Begun anew with its first record. One that clear() left half filled keeps what it has: lower
+    // limits only cost time to look at, but a length would be wrong, so it counts as stopping.
     if (record % kGroup == 0) {
-        group = {0, kInfinity, kInfinity, {kInfinity, kInfinity}, {0, 0, kInfinity, kInfinity, kInfinity, kInfinity}, 0, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
+        group = {0,
+                 kInfinity,
+                 kInfinity,
+                 {kInfinity, kInfinity},
+                 {0, 0, kInfinity, kInfinity, kInfinity, kInfinity},
+                 0,
+                 slot.feed_mode,
+                 slot.spindle,
+                 slot.override_locked,
+                 false,
+                 false,
+                 false};
     }
     group.stops = group.stops || slot.stop_after || slot.stop_before;
     group.block_ends = group.block_ends || slot.block_end;
@@ -81,7 +94,8 @@ void PathPlanner::add_to_group(std::uint64_t record) noexcept {
     group.most.widen(slot.limits());
     group.feed = std::min(group.feed, slot.feed);
     group.longest = std::max(group.longest, slot.length);
-    group.mixed = group.mixed || group.feed_mode != slot.feed_mode || group.spindle != slot.spindle || group.override_locked != slot.override_locked;
+    group.mixed = group.mixed || group.feed_mode != slot.feed_mode ||
+                  group.spindle != slot.spindle || group.override_locked != slot.override_locked;
 }
 
 void PathPlanner::skip(std::uint64_t to) noexcept {
@@ -101,14 +115,16 @@ void PathPlanner::stand_before(std::uint64_t record) noexcept {
     if (record >= first_ && record < end_) at(record).stop_before = true;
 }
 
-double PathPlanner::ceiling_of(const PlannedRecord& slot, Ceilings which, const PathInput& input) const noexcept {
+double PathPlanner::ceiling_of(const PlannedRecord& slot, Ceilings which,
+                               const PathInput& input) const noexcept {
     if (which == Ceilings::Hard || !(slot.length > 0)) return slot.v_max;
     double wanted = slot.feed;
     if (slot.feed_mode == FeedMode::Rapid) {
         wanted = slot.v_max * input.rapid_override;
     } else {
         if (slot.feed_mode == FeedMode::PerRevolution || slot.feed_mode == FeedMode::Thread) {
-            const bool known = input.spindle_rev_s != nullptr && slot.spindle >= 1 && slot.spindle <= kMaxSpindles;
+            const bool known =
+                input.spindle_rev_s != nullptr && slot.spindle >= 1 && slot.spindle <= kMaxSpindles;
             wanted *= known ? std::abs(input.spindle_rev_s[slot.spindle - 1]) : 0.0;
         }
         if (input.dry_run_feed > 0) wanted = input.dry_run_feed;
@@ -167,7 +183,8 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
         return v0 + root > 0 ? std::min(1.0, ratio * (v0 + v1) / (v0 + root)) : 1.0;
     };
     const bool landed = landing_end_ != kNone && v1 == 0 && next.a == 0 && landing_.landed();
-    double s = state_.s + moved, done = -state_.s;  // done: from the tick's beginning to the beginning of the record
+    // done: from the tick's beginning to the beginning of the record
+    double s = state_.s + moved, done = -state_.s;
     double fraction = 0;
     state_ = {s, v1, next.a};
     for (;;) {
@@ -206,7 +223,8 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
 PathStep PathPlanner::tick(const PathInput& input) noexcept {
     appended_ = 0;
     // Taken back before it has stopped the path; pressed again, the block that runs then is meant.
-    if (!input.single_block || (block_latch_ != kNone && block_latch_ < first_)) block_latch_ = kNone;
+    if (!input.single_block || (block_latch_ != kNone && block_latch_ < first_))
+        block_latch_ = kNone;
     PathStep step;
     step.began_from = step.began_to = step.ended_from = step.ended_to = first_;
     step.stands = Stands::Moving;
@@ -216,10 +234,13 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
             landing_end_ = kNone;
             forget_promise();
             const double time = std::min(dt_, state_.v / input.emergency_dec);
-            carry({time * (state_.v - input.emergency_dec * time / 2), time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0}, step);
+            carry({time * (state_.v - input.emergency_dec * time / 2),
+                   time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0},
+                  step);
         } else {
             const double left = at(first_).length - state_.s;
-            if (at_rest() && left < 1e-9 && stops_at_end(first_)) {  // nothing to drive: rounding of an earlier stop
+            // nothing to drive: rounding of an earlier stop
+            if (at_rest() && left < 1e-9 && stops_at_end(first_)) {
                 landing_end_ = first_;
                 landing_.at_once(left);
                 carry({left, 0, 0}, step);

@@ -1,21 +1,26 @@
-// How fast is a channel on its path at this tick? Called once a tick by the cyclic thread: no allocation, lock, exception,
-// system call; work bounded by the window.
+// How fast is a channel on its path at this tick? Called once a tick by the cyclic thread: no
+// allocation, lock, exception, system call; work bounded by the window.
 //
-// The kernel hands over records one by one (append) and then asks each tick for a step; the planner knows lengths and
-// ceilings only, never geometry. Record numbers are the ring's own indices.
+// The kernel hands over records one by one (append) and then asks each tick for a step; the planner
+// knows lengths and ceilings only, never geometry. Record numbers are the ring's own indices.
 //
 //     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
-//     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record, stands_before))
+//     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record,
+//     stands_before))
 //     const PathStep step = planner.tick(input);
-//         records [began_from, began_to) began in this tick, at the part planner.begin_fraction(i) of it (0 to 1)
+//         records [began_from, began_to) began in this tick, at the part planner.begin_fraction(i)
+//         of it (0 to 1)
 //         records [ended_from, ended_to) ended in this tick, at planner.end_fraction(i)
-//         position: record step.record at step.s; before the first append after clear() it means nothing (record == next)
-//     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then planner.skip(step.record + 1)
+//         position: record step.record at step.s; before the first append after clear() it means
+//         nothing (record == next)
+//     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then
+//     planner.skip(step.record + 1)
 //
-// Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a wait. Notes of length 0
-// that need no standstill (Variable, Offset, SpindleSpeed) are appended with stop_before false; they are reported as
-// ended like any other record. A flying wait is appended with stop_before and let_pass() once its partners are there;
-// nothing ever turns from passing to stopping.
+// Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a
+// wait. Notes of length 0 that need no standstill (Variable, Offset, SpindleSpeed) are appended
+// with stop_before false; they are reported as ended like any other record. A flying wait is
+// appended with stop_before and let_pass() once its partners are there; nothing ever turns from
+// passing to stopping.
 // How it works, why it is right and what is weak: path_decision.cpp.
 #pragma once
 #include <array>
@@ -28,40 +33,45 @@
 
 namespace polyturn::kernel {
 
-inline constexpr std::uint32_t kPlannerWindow = 4096;  // slots; the horizon may be up to this less 2
+// slots; the horizon may be up to this less 2
+inline constexpr std::uint32_t kPlannerWindow = 4096;
 inline constexpr std::uint32_t kAppendsPerTick = 128;  // bounds the work of a tick
 
 // What the planner needs to know of a record. It holds along the whole record.
 struct PlannedRecord {
-    double length = 0;      // mm (degrees for a rotary path)
-    double v_max = 0;       // mm/s, geometry and axes: never exceeded
-    double a_max = 0;       // mm/s2
-    double j_max = 0;       // mm/s3; infinity: no axis limits jerk
+    double length = 0;             // mm (degrees for a rotary path)
+    double v_max = 0;              // mm/s, geometry and axes: never exceeded
+    double a_max = 0;              // mm/s2
+    double j_max = 0;              // mm/s3; infinity: no axis limits jerk
     double bend = 0, turning = 0;  // 1/mm: what speed takes of both, see limits.hpp
     double along = 0, across = 0;  // 1/mm2
-    double feed = 0;        // mm/s, or mm a revolution
-    std::uint16_t spindle = 0;        // from 1; feed per revolution
+    double feed = 0;               // mm/s, or mm a revolution
+    std::uint16_t spindle = 0;     // from 1; feed per revolution
     FeedMode feed_mode = FeedMode::PerMinute;
-    bool override_locked = false;     // feed override is 100 %
-    bool stop_before = false;         // path stands at its start until the kernel skips it
-    bool stop_after = false;          // path stands at its end (exact stop)
-    bool wait_in_position = false;    // ... until PathInput::in_position
-    bool block_end = false;           // single block stops here
+    bool override_locked = false;   // feed override is 100 %
+    bool stop_before = false;       // path stands at its start until the kernel skips it
+    bool stop_after = false;        // path stands at its end (exact stop)
+    bool wait_in_position = false;  // ... until PathInput::in_position
+    bool block_end = false;         // single block stops here
 
     static PlannedRecord from(const PathRecord& record, bool stop_before) noexcept;
-    [[nodiscard]] Limits limits() const noexcept { return {a_max, j_max, bend, turning, along, across}; }
+    [[nodiscard]] Limits limits() const noexcept {
+        return {a_max, j_max, bend, turning, along, across};
+    }
 };
 
 struct PathInput {
-    double feed_override = 1;         // 0 .. 2
-    double rapid_override = 1;        // 0 .. 1
-    const double* spindle_rev_s = nullptr;  // revolutions a second (any sign) of spindle 1.., kMaxSpindles values; may be null
-    double dry_run_feed = 0;          // mm/s; > 0 replaces programmed feeds
-    double speed_ceiling = std::numeric_limits<double>::infinity();  // mm/s, wanted by couplings; kept as a feed is
-    bool hold = false;                // brake along the path, stand
-    bool single_block = false;        // stand at the end of the running block until step_block()
-    bool in_position = true;          // measured axes are where they should be
-    double emergency_dec = 0;         // mm/s2; > 0 brakes with it at once, exempt from jerk
+    double feed_override = 1;   // 0 .. 2
+    double rapid_override = 1;  // 0 .. 1
+    // revolutions a second (any sign) of spindle 1.., kMaxSpindles values; may be null
+    const double* spindle_rev_s = nullptr;
+    double dry_run_feed = 0;  // mm/s; > 0 replaces programmed feeds
+    // mm/s, wanted by couplings; kept as a feed is
+    double speed_ceiling = std::numeric_limits<double>::infinity();
+    bool hold = false;          // brake along the path, stand
+    bool single_block = false;  // stand at the end of the running block until step_block()
+    bool in_position = true;    // measured axes are where they should be
+    double emergency_dec = 0;   // mm/s2; > 0 brakes with it at once, exempt from jerk
 };
 
 enum class Stands : std::uint8_t {
@@ -70,18 +80,19 @@ enum class Stands : std::uint8_t {
     BeforeRecord,  // record `record` has stop_before: it is the kernel's turn
     InPosition,    // waits for the measured axes
     Held,
-    BlockEnd,      // single block
-    NoFeed,        // feed or override is 0, spindle stands at feed per revolution
+    BlockEnd,  // single block
+    NoFeed,    // feed or override is 0, spindle stands at feed per revolution
 };
 
 struct PathStep {
-    std::uint64_t record = 0;        // running at the end of the tick, or standing at its end
-    double s = 0;                    // mm along it
-    double speed = 0;                // mm/s
-    double acceleration = 0;         // mm/s2
+    std::uint64_t record = 0;  // running at the end of the tick, or standing at its end
+    double s = 0;              // mm along it
+    double speed = 0;          // mm/s
+    double acceleration = 0;   // mm/s2
     std::uint64_t began_from = 0, began_to = 0;
     std::uint64_t ended_from = 0, ended_to = 0;
-    bool over = false;               // the path stands at the end of `record`, which has ended in this tick or an earlier one
+    // the path stands at the end of `record`, which has ended in this tick or an earlier one
+    bool over = false;
     Stands stands = Stands::NoRecord;
 };
 
@@ -92,34 +103,52 @@ public:
     // Forget everything; the next appended record is number `next`; the path stands.
     void clear(std::uint64_t next) noexcept;
 
-    // Fewer than the horizon are there (counted from the running one) and this tick has not taken its share yet.
-    [[nodiscard]] bool wants_record() const noexcept { return end_ - first_ < horizon_ && appended_ < kAppendsPerTick; }
+    // Fewer than the horizon are there (counted from the running one) and this tick has not taken
+    // its share yet.
+    [[nodiscard]] bool wants_record() const noexcept {
+        return end_ - first_ < horizon_ && appended_ < kAppendsPerTick;
+    }
     void append(const PlannedRecord& record) noexcept;
-    [[nodiscard]] std::uint64_t next_record() const noexcept { return end_; }  // number that append() gives
+    // number that append() gives
+    [[nodiscard]] std::uint64_t next_record() const noexcept { return end_; }
 
     PathStep tick(const PathInput& input) noexcept;
 
-    // The path stands at the beginning of `to - 1` (or anywhere, after a hold) and goes on at the start of `to`:
-    // the records between were executed or dropped by the kernel. `to` may be next_record().
+    // The path stands at the beginning of `to - 1` (or anywhere, after a hold) and goes on at the
+    // start of `to`: the records between were executed or dropped by the kernel. `to` may be
+    // next_record().
     void skip(std::uint64_t to) noexcept;
     void let_pass(std::uint64_t record) noexcept;  // a record that stopped the path does so no more
-    void stand_before(std::uint64_t record) noexcept;   // it does again; only while the path rests in front of it
-    void step_block() noexcept { block_latch_ = kNone; block_done_ = false; }  // single block: drive the next one
+    // it does again; only while the path rests in front of it
+    void stand_before(std::uint64_t record) noexcept;
+    // single block: drive the next one
+    void step_block() noexcept {
+        block_latch_ = kNone;
+        block_done_ = false;
+    }
 
-    // Of a record that began or ended in the last tick: when, 0 (the tick's beginning) to 1 (its end).
-    [[nodiscard]] double begin_fraction(std::uint64_t record) const noexcept { return at(record).begin_fraction; }
-    [[nodiscard]] double end_fraction(std::uint64_t record) const noexcept { return at(record).end_fraction; }
+    // Of a record that began or ended in the last tick: when, 0 (the tick's beginning) to 1 (its
+    // end).
+    [[nodiscard]] double begin_fraction(std::uint64_t record) const noexcept {
+        return at(record).begin_fraction;
+    }
+    [[nodiscard]] double end_fraction(std::uint64_t record) const noexcept {
+        return at(record).end_fraction;
+    }
     [[nodiscard]] double speed() const noexcept { return state_.v; }
     [[nodiscard]] double acceleration() const noexcept { return state_.a; }
     [[nodiscard]] bool at_rest() const noexcept { return state_.v == 0 && state_.a == 0; }
-    // Ticks in which no step was found that keeps every promise; then it brakes. Stays 0; tests ask.
+    // Ticks in which no step was found that keeps every promise; then it brakes. Stays 0; tests
+    // ask.
     [[nodiscard]] std::uint64_t anomalies() const noexcept { return anomalies_; }
 
 private:
-    // Planning uses a little less jerk than allowed; the rest is what landing needs to end exactly at a point.
+    // Planning uses a little less jerk than allowed; the rest is what landing needs to end exactly
+    // at a point.
     static constexpr double kPlannedJerk = 0.995;
     static constexpr std::uint64_t kNone = ~0ull;
-    // Pieces of brakings that a tick may try; then what was promised is followed. Bounds the work of a tick.
+    // Pieces of brakings that a tick may try; then what was promised is followed. Bounds the work
+    // of a tick.
     static constexpr std::uint32_t kPiecesPerTick = 200;
 
     struct Slot : PlannedRecord {
@@ -141,16 +170,20 @@ private:
     class View final : public Road {
     public:
         void begin(PathPlanner& planner, Ceilings which, const PathInput& input) noexcept;
-        // The same for a tick that begins at x on the road, from what the stretches say. False: the road ends there.
+        // The same for a tick that begins at x on the road, from what the stretches say. False: the
+        // road ends there.
         [[nodiscard]] bool around(const PathState& x) noexcept;
 
-        // Does the ceiling rise within the way on which the acceleration that the tick at x leads to is released?
+        // Does the ceiling rise within the way on which the acceleration that the tick at x leads
+        // to is released?
         [[nodiscard]] bool rises(const PathState& x) noexcept;
 
-        double ceiling = 0;     // over what a tick can touch
-        Limits tick;            // over what a tick can touch, at the speed and acceleration that it can come to
+        double ceiling = 0;  // over what a tick can touch
+        // over what a tick can touch, at the speed and acceleration that it can come to
+        Limits tick;
         std::uint32_t within = 0;  // the stretch where it begins
-        std::uint64_t end_record = kNone;  // the path must stand at its end; kNone: not seen, or for want of room
+        // the path must stand at its end; kNone: not seen, or for want of room
+        std::uint64_t end_record = kNone;
 
     private:
         void more() noexcept override;
@@ -160,22 +193,27 @@ private:
         PathPlanner* planner_ = nullptr;
         const PathInput* input_ = nullptr;
         Ceilings which_ = Ceilings::Hard;
-        std::uint64_t record_ = 0;   // the last that was looked at
-        double known_ = 0;           // where it ends
-        double reach_ = 0;           // how far this tick can lead
-        double fast_ = 0;            // no ceiling above it matters
-        double chunk_ = 0;           // a stretch need not be longer
+        std::uint64_t record_ = 0;  // the last that was looked at
+        double known_ = 0;          // where it ends
+        double reach_ = 0;          // how far this tick can lead
+        double fast_ = 0;           // no ceiling above it matters
+        double chunk_ = 0;          // a stretch need not be longer
     };
     // A state that this tick could lead to.
     struct Step {
         PathState next;
-        double speed = 0;            // towards this ...
-        Limits limits;               // ... under these; a = 0: not by profile_to_speed
+        double speed = 0;  // towards this ...
+        Limits limits;     // ... under these; a = 0: not by profile_to_speed
     };
 
-    [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
-    [[nodiscard]] Slot& at(std::uint64_t record) noexcept { return slots_[record % kPlannerWindow]; }
-    [[nodiscard]] double ceiling_of(const PlannedRecord& record, Ceilings which, const PathInput& input) const noexcept;
+    [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept {
+        return slots_[record % kPlannerWindow];
+    }
+    [[nodiscard]] Slot& at(std::uint64_t record) noexcept {
+        return slots_[record % kPlannerWindow];
+    }
+    [[nodiscard]] double ceiling_of(const PlannedRecord& record, Ceilings which,
+                                    const PathInput& input) const noexcept;
     void add_to_group(std::uint64_t record) noexcept;
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
     [[nodiscard]] Step step_towards(double speed, const Limits& limits) const noexcept;
@@ -186,11 +224,12 @@ private:
     [[nodiscard]] bool follows_blindly() const noexcept;
     [[nodiscard]] bool push(View& view) noexcept;
     [[nodiscard]] bool promise_braking(const PathInput& input) noexcept;
-    void be_patient() noexcept;
+    void keep_braking_profile() noexcept;
     [[nodiscard]] PathState keep_promise() noexcept;
     [[nodiscard]] bool safe(View& view, Ceilings which, const Step& step) noexcept;
     [[nodiscard]] bool take(View& view, Ceilings which, const Step& step) noexcept;
-    [[nodiscard]] bool best_between(View& view, Ceilings which, const PathState& low, const PathState& high, PathState& next) noexcept;
+    [[nodiscard]] bool best_between(View& view, Ceilings which, const PathState& low,
+                                    const PathState& high, PathState& next) noexcept;
     [[nodiscard]] double lowest_violated(View& view, const PathState& next) noexcept;
     [[nodiscard]] bool want(const PathInput& input) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
@@ -205,22 +244,28 @@ private:
     std::uint32_t appended_ = 0;         // since the last tick
     PathState state_;                    // s along record first_
     bool began_ = false;                 // record first_ has begun
-    bool done_ = false;                  // the path stands at the end of record first_, which has ended
+    // the path stands at the end of record first_, which has ended
+    bool done_ = false;
     std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
     bool block_done_ = false;            // and it does
-    // The way to a stand that made the last step safe, and how much of it has been driven since, s; below 0: there is none.
+    // The way to a stand that made the last step safe, and how much of it has been driven since, s;
+    // below 0: there is none.
     Braking promise_, tried_;
-    std::uint32_t pieces_ = 0;           // tried in this tick
+    std::uint32_t pieces_ = 0;  // tried in this tick
     double promise_time_ = -1;
-    bool promise_wanted_ = false;        // it keeps what was wanted, too
-    bool promise_aims_ = false;          // it goes by way of a slower stretch
-    std::uint64_t promise_end_ = kNone;  // the record at whose end it stands for want of road; kNone: it need not
-    // Steps before that: a push is tried as a whole and then driven without another thought, unless something else is wanted.
+    bool promise_wanted_ = false;  // it keeps what was wanted, too
+    bool promise_aims_ = false;    // it goes by way of a slower stretch
+    // the record at whose end it stands for want of road; kNone: it need not
+    std::uint64_t promise_end_ = kNone;
+    // Steps before that: a push is tried as a whole and then driven without another thought, unless
+    // something else is wanted.
     static constexpr std::uint32_t kPush = 16;
     std::array<PathState, kPush> push_;  // after each tick; s is what is moved in it
     std::uint32_t pushed_ = 0, push_end_ = 0, stride_ = 1;
-    std::uint32_t patience_ = 0, failures_ = 0;  // ticks for which the promise is followed without looking for better
-    bool other_wanted_ = false;          // what is wanted has changed, and the promise is still the old one
+    // ticks for which the promise is followed without looking for better
+    std::uint32_t timeout_ = 0, failures_ = 0;
+    // what is wanted has changed, and the promise is still the old one
+    bool other_wanted_ = false;
     std::array<double, 7> wanted_{};     // see want()
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
     Landing landing_;

@@ -1,25 +1,27 @@
-// What the planner has promised: a way to a stand that was found safe as a whole. It is a push of up to kPush ticks (or none)
-// and a braking behind it. While it stands and nothing else is wanted a tick only follows it; thinking is for its ends.
+// What the planner has promised: a way to a stand that was found safe as a whole. It is a push of
+// up to kPush ticks (or none) and a braking behind it. While it stands and nothing else is wanted a
+// tick only follows it; thinking is for its ends.
 //
 //   v |      push     .----.  braking, perhaps by way of
 //     |          . - '      \   a slower stretch
 //     |     . - '            '------.        promise_time_ counts from the end of the push
 //     +---'--------------------------'---> t
-#include "kernel/motion/path_planner.hpp"
-
 #include <cmath>
+
+#include "kernel/motion/path_planner.hpp"
 
 namespace polyturn::kernel {
 namespace {
-constexpr double kFast = 1e6;              // mm/s: as hard as can be
-constexpr std::uint32_t kMostPatience = 4;  // ticks
-constexpr double kNearEnd = 8;             // ticks before a stand: every one is looked at, for the landing
-constexpr double kEntering = 2e-3;         // as in braking.cpp
+constexpr double kFast = 1e6;             // mm/s: as hard as can be
+constexpr std::uint32_t kMaxTimeout = 4;  // ticks
+// ticks before a stand: every one is looked at, for the landing
+constexpr double kNearEnd = 8;
+constexpr double kEntering = 2e-3;  // as in braking.cpp
 }  // namespace
 
 void PathPlanner::forget_promise() noexcept {
     promise_time_ = -1;
-    pushed_ = push_end_ = patience_ = failures_ = 0;
+    pushed_ = push_end_ = timeout_ = failures_ = 0;
     stride_ = 1;
     promise_aims_ = other_wanted_ = false;
     promise_end_ = kNone;
@@ -46,21 +48,24 @@ PathState PathPlanner::keep_promise() noexcept {
 bool PathPlanner::follows_blindly() const noexcept {
     if (promise_time_ < 0 || other_wanted_ || landing_end_ != kNone) return false;
     if (pushed_ < push_end_) return true;
-    return patience_ > 0 && !at_rest() && (promise_aims_ || promise_end_ == kNone || stops_at_end(promise_end_));
+    return timeout_ > 0 && !at_rest() &&
+           (promise_aims_ || promise_end_ == kNone || stops_at_end(promise_end_));
 }
 
 // No better step than the promise was found, or hardly a better one: the next is looked for later.
-void PathPlanner::be_patient() noexcept {
-    patience_ = failures_ < 3 ? 1u << failures_ : kMostPatience;
+void PathPlanner::keep_braking_profile() noexcept {
+    timeout_ = failures_ < 3 ? 1u << failures_ : kMaxTimeout;
     ++failures_;
     stride_ = 1;
     // But in time for the end of it: where it comes to the speed of the slower stretch, or lands.
-    const double left = promise_aims_ ? promise_.aim_time() - promise_time_ : promise_.duration() - promise_time_ - kNearEnd * dt_;
-    patience_ = std::min(patience_, left > 0 ? static_cast<std::uint32_t>(std::min(left / dt_, 100.0)) : 0u);
+    const double left = promise_aims_ ? promise_.aim_time() - promise_time_
+                                      : promise_.duration() - promise_time_ - kNearEnd * dt_;
+    timeout_ =
+        std::min(timeout_, left > 0 ? static_cast<std::uint32_t>(std::min(left / dt_, 100.0)) : 0u);
 }
 
-// Something else is wanted while the promise would go faster first or by way of a slower stretch: brake from here instead.
-// False: that cannot be promised.
+// Something else is wanted while the promise would go faster first or by way of a slower stretch:
+// brake from here instead. False: that cannot be promised.
 bool PathPlanner::promise_braking(const PathInput& input) noexcept {
     view_.begin(*this, Ceilings::Hard, input);
     tried_.along(view_, {0, state_.v, state_.a});
@@ -86,17 +91,22 @@ bool PathPlanner::push(View& view) noexcept {
         if (x.a < 0 && release_speed(x.v, x.a, view.tick.j) < -1e-9) break;
         const PathState y = towards_speed({0, x.v, x.a}, goal, view.tick.a, view.tick.j, dt_);
         if (y.v < 0 || y.s < 0 || y.v > view.ceiling) break;  // of all that the tick touches
-        if (x.a > 0 && y.a <= 0 && release_speed(x.v, x.a, view.tick.j) > view.ceiling * (1 + 1e-6)) break;
+        if (x.a > 0 && y.a <= 0 && release_speed(x.v, x.a, view.tick.j) > view.ceiling * (1 + 1e-6))
+            break;
         const PathState end{x.s + y.s, y.v, y.a};
         std::uint32_t there = view.within;
         while (view.end_of(there) < end.s && view.stretch(there + 1) != nullptr) ++there;
         const Stretch* const stretch = view.stretch(there);
-        if (view.end_of(there) < end.s || std::abs(y.a) > stretch->limits.acceleration(y.v) * (1 + kEntering)) break;
+        if (view.end_of(there) < end.s ||
+            std::abs(y.a) > stretch->limits.acceleration(y.v) * (1 + kEntering))
+            break;
         steps[count] = y;
         x = end;
     }
     const bool possible = count >= 2 && comes_to_rest(view, Ceilings::Wanted, x);
-    view.tick = tick, view.ceiling = ceiling, view.within = 0;
+    view.tick = tick;
+    view.ceiling = ceiling;
+    view.within = 0;
     if (!possible) return false;
     promise(Ceilings::Wanted);
     push_end_ = count;

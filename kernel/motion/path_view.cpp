@@ -1,30 +1,40 @@
-// What lies ahead of the path: records of the window joined to stretches of like limits, as far as a braking looks.
-#include "kernel/motion/path_planner.hpp"
-
+// What lies ahead of the path: records of the window joined to stretches of like limits, as far as
+// a braking looks.
 #include <cmath>
+
+#include "kernel/motion/path_planner.hpp"
 
 namespace polyturn::kernel {
 namespace {
 
-constexpr double kAlike = 0.1;     // limits of one stretch differ by no more, as parts of what there is
-constexpr double kLevel = 0.98;    // ceilings likewise, if they can matter at all
-constexpr double kBrief = 2;        // ticks: what is passed in less is no stretch of its own
+// limits of one stretch differ by no more, as parts of what there is
+constexpr double kAlike = 0.1;
+constexpr double kLevel = 0.98;  // ceilings likewise, if they can matter at all
+constexpr double kBrief = 2;     // ticks: what is passed in less is no stretch of its own
 constexpr double kLeastShare = 0.05;
 
-// Do two records have about the same limits at a speed? What they lose by being joined is paid in time only.
+// Do two records have about the same limits at a speed? What they lose by being joined is paid in
+// time only.
 bool alike(const Limits& x, const Limits& y, double v) noexcept {
-    if (x.a == y.a && x.j == y.j && x.bend == y.bend && x.turning == y.turning && x.along == y.along && x.across == y.across) return true;
+    if (x.a == y.a && x.j == y.j && x.bend == y.bend && x.turning == y.turning &&
+        x.along == y.along && x.across == y.across)
+        return true;
     if (x.flat() != y.flat()) return false;
     const auto near = [](double p, double q) { return std::abs(p - q) <= kAlike; };
-    if (!(std::min(x.a, y.a) >= 0.98 * std::max(x.a, y.a)) || !(std::min(x.j, y.j) >= 0.98 * std::max(x.j, y.j))) return false;
+    if (!(std::min(x.a, y.a) >= 0.98 * std::max(x.a, y.a)) ||
+        !(std::min(x.j, y.j) >= 0.98 * std::max(x.j, y.j)))
+        return false;
     if (x.flat()) return true;
     const double v2 = v * v, v3 = v2 * v;
-    return near(x.bend * v2 / x.a, y.bend * v2 / y.a) && near(x.along * v3 / x.j, y.along * v3 / y.j) && near(x.across * v3 / x.j, y.across * v3 / y.j);
+    return near(x.bend * v2 / x.a, y.bend * v2 / y.a) &&
+           near(x.along * v3 / x.j, y.along * v3 / y.j) &&
+           near(x.across * v3 / x.j, y.across * v3 / y.j);
 }
 
 }  // namespace
 
-void PathPlanner::View::begin(PathPlanner& planner, Ceilings which, const PathInput& input) noexcept {
+void PathPlanner::View::begin(PathPlanner& planner, Ceilings which,
+                              const PathInput& input) noexcept {
     clear();
     planner_ = &planner;
     input_ = &input;
@@ -55,9 +65,14 @@ void PathPlanner::View::begin(PathPlanner& planner, Ceilings which, const PathIn
         at += slot.length;
     }
     narrow_tick(touched, planner.state_, std::max(v, std::min(v_next, hard)));
-    if (input.single_block && which == Ceilings::Wanted && planner.block_latch_ == kNone && (planner.promise_time_ >= 0 || planner.at_rest())) {
-        // The first end of a block at which the path can still stand: not before the end of the promised way.
-        const double stands = planner.at_rest() ? 0 : planner.promise_.distance() - planner.promise_.follow(0, planner.promise_time_).s;
+    if (input.single_block && which == Ceilings::Wanted && planner.block_latch_ == kNone &&
+        (planner.promise_time_ >= 0 || planner.at_rest())) {
+        // The first end of a block at which the path can still stand: not before the end of the
+        // promised way.
+        const double stands =
+            planner.at_rest()
+                ? 0
+                : planner.promise_.distance() - planner.promise_.follow(0, planner.promise_time_).s;
         double end = known_;
         for (std::uint64_t record = planner.first_;; end += planner.at(++record).length) {
             if (planner.at(record).block_end && end >= stands) {
@@ -69,10 +84,12 @@ void PathPlanner::View::begin(PathPlanner& planner, Ceilings which, const PathIn
     }
 }
 
-void PathPlanner::View::narrow_tick(const Limits& touched, const PathState& x, double highest) noexcept {
+void PathPlanner::View::narrow_tick(const Limits& touched, const PathState& x,
+                                    double highest) noexcept {
     tick = touched.at(highest, std::abs(x.a) + touched.j * planner_->dt_);
     if (touched.flat()) return;
-    tick.a = std::max(tick.a, kLeastShare * touched.a);  // never so little that nothing could be changed
+    // never so little that nothing could be changed
+    tick.a = std::max(tick.a, kLeastShare * touched.a);
     tick.j = std::max(tick.j, kLeastShare * touched.j);
 }
 
@@ -97,7 +114,9 @@ bool PathPlanner::View::around(const PathState& x) noexcept {
 }
 
 bool PathPlanner::View::rises(const PathState& now) noexcept {
-    const double a = std::min(std::max(now.a, 0.0) + tick.j * planner_->dt_, std::max(tick.a, now.a)), v = now.v + a * planner_->dt_;
+    const double a = std::min(std::max(now.a, 0.0) + tick.j * planner_->dt_,
+                              std::max(tick.a, now.a)),
+                 v = now.v + a * planner_->dt_;
     if (release_speed(v, a, tick.j) <= ceiling) return false;
     const double way = now.s + (v + a * a / (2 * tick.j)) * a / tick.j;
     for (std::uint32_t i = within; end_of(i) < way; ++i) {
@@ -119,7 +138,9 @@ bool PathPlanner::View::pass_group() noexcept {
     if ((record_ + 1) % kGroup != 0 || record_ + kGroup + 1 >= planner_->end_) return false;
     const Group& group = planner_->groups_[(record_ + 1) % kPlannerWindow / kGroup];
     const bool blocks = which_ == Ceilings::Wanted && input_->single_block;
-    if (group.stops || (blocks && group.block_ends) || (which_ == Ceilings::Wanted && group.mixed) || !(group.length > 0)) return false;
+    if (group.stops || (blocks && group.block_ends) ||
+        (which_ == Ceilings::Wanted && group.mixed) || !(group.length > 0))
+        return false;
     PlannedRecord least;
     least.length = group.length;
     least.v_max = group.v_max;
@@ -130,7 +151,8 @@ bool PathPlanner::View::pass_group() noexcept {
     const double other = planner_->ceiling_of(least, which_, *input_);
     const Stretch& last = stretches_[count_ - 1];
     if (other < std::min(last.ceiling, fast_)) return false;
-    if (group.least.narrower_than(last.limits) || last.limits.narrower_than(group.most)) return false;
+    if (group.least.narrower_than(last.limits) || last.limits.narrower_than(group.most))
+        return false;
     known_ += group.length;
     record_ += kGroup;
     return true;
@@ -151,18 +173,23 @@ void PathPlanner::View::more() noexcept {
         const Stretch& last = stretches_[count_ - 1];
         const double before = std::min(last.ceiling, fast_), now = std::min(other, fast_);
         const bool level = now >= kLevel * before && before >= kLevel * now;
-        const bool exactly = known_ <= reach_ || count_ == 1;  // the tick's own records: nothing is taken from them
+        // the tick's own records: nothing is taken from them
+        const bool exactly = known_ <= reach_ || count_ == 1;
         const Limits own = slot.limits();
-        const bool brief = known_ - last.begin < kBrief * planner_->dt_ * std::min(before, now) && !exactly;
-        const bool same = exactly ? now == before && !own.narrower_than(last.limits) && !last.limits.narrower_than(own)
-                                  : level && alike(last.limits, own, std::min({before, now, slot.v_max}));
+        const bool brief =
+            known_ - last.begin < kBrief * planner_->dt_ * std::min(before, now) && !exactly;
+        const bool same =
+            exactly ? now == before && !own.narrower_than(last.limits) &&
+                          !last.limits.narrower_than(own)
+                    : level && alike(last.limits, own, std::min({before, now, slot.v_max}));
         const bool joins = brief || (!long_enough && same);
         if (joins) {
             join(slot, other);
             known_ += slot.length;
             continue;
         }
-        if (!begin_stretch(known_, other, own)) return close(known_);  // full: stand here rather than forget something
+        // full: stand here rather than forget something
+        if (!begin_stretch(known_, other, own)) return close(known_);
         known_ += slot.length;
         return;
     }

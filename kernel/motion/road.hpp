@@ -1,4 +1,5 @@
-// What lies ahead of the path, as far as anybody asks: stretches with a ceiling and limits each, up to where it must stand.
+// What lies ahead of the path, as far as anybody asks: stretches with a ceiling and limits each, up
+// to where it must stand.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -28,8 +29,9 @@ public:
         while (i + 1 >= count_ && !closed_) more();
         return i + 1 < count_ ? stretches_[i + 1].begin : end_;
     }
-    [[nodiscard]] bool closed() const noexcept { return closed_; }        // all of it is known
-    [[nodiscard]] double end() const noexcept { return end_; }            // the path must stand there; infinity: not seen yet
+    [[nodiscard]] bool closed() const noexcept { return closed_; }  // all of it is known
+    // the path must stand there; infinity: not seen yet
+    [[nodiscard]] double end() const noexcept { return end_; }
 
 protected:
     ~Road() = default;
@@ -38,7 +40,8 @@ protected:
         closed_ = false;
         end_ = std::numeric_limits<double>::infinity();
     }
-    bool begin_stretch(double at, double ceiling, const Limits& limits) noexcept {  // false: no room
+    // false: no room
+    bool begin_stretch(double at, double ceiling, const Limits& limits) noexcept {
         if (count_ == kStretches) return false;
         stretches_[count_++] = {at, ceiling, limits};
         return true;

@@ -7,9 +7,10 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kFastPole = 60, kSlowPole = 10;  // 1/s
 constexpr double kTrust = 1.1;                    // counts; half a count is the staircase itself
-constexpr double kMemoryGrowth = 3;               // the slow filter's pole is this over its age, from kFastPole down to kSlowPole
-constexpr std::int32_t kSettled = 300;            // ticks
-constexpr double kFade = 1.0 / 100;               // a tick
+// the slow filter's pole is this over its age, from kFastPole down to kSlowPole
+constexpr double kMemoryGrowth = 3;
+constexpr std::int32_t kSettled = 300;  // ticks
+constexpr double kFade = 1.0 / 100;     // a tick
 }  // namespace
 
 void SpindleObserver::Filter::predict(double t) noexcept {
@@ -53,7 +54,12 @@ void SpindleObserver::update(std::int64_t counts) noexcept {
         slow_ = {fast_.angle, fast_.speed, fast_.acceleration, 0};
         calm_ = 0;
     } else {
-        const double p = calm_ < kSettled ? std::exp(-std::max(kSlowPole, kMemoryGrowth / (dt_ * (calm_ + 1) + kMemoryGrowth / kFastPole)) * dt_) : slow_pole_;
+        const double p =
+            calm_ < kSettled
+                ? std::exp(-std::max(kSlowPole, kMemoryGrowth / (dt_ * (calm_ + 1) +
+                                                                 kMemoryGrowth / kFastPole)) *
+                           dt_)
+                : slow_pole_;
         const double u = 1 - p;
         slow_.angle += (1 - p * p * p) * error;
         slow_.speed += 1.5 * u * u * (1 + p) / dt_ * error;
@@ -63,11 +69,13 @@ void SpindleObserver::update(std::int64_t counts) noexcept {
     trust_ = calm_ < kSettled ? std::max(0.0, trust_ - 5 * kFade) : std::min(1.0, trust_ + kFade);
     // A revolution at a time, so that relative angles stay small.
     const double revolution = 360;
-    const auto counts_per_rev = static_cast<std::int64_t>(std::llround(revolution / degrees_per_count_));
+    const auto counts_per_rev =
+        static_cast<std::int64_t>(std::llround(revolution / degrees_per_count_));
     const auto whole = (counts - origin_) / counts_per_rev;
     if (whole != 0) {
         origin_ += whole * counts_per_rev;
-        const double shift = static_cast<double>(whole) * static_cast<double>(counts_per_rev) * degrees_per_count_;
+        const double shift =
+            static_cast<double>(whole) * static_cast<double>(counts_per_rev) * degrees_per_count_;
         turned_ = static_cast<double>(origin_) * degrees_per_count_;
         fast_.angle -= shift;
         slow_.angle -= shift;
@@ -85,7 +93,8 @@ double SpindleObserver::speed(double ahead) const noexcept {
 }
 
 double SpindleObserver::acceleration(double ahead) const noexcept {
-    return (1 - trust_) * (fast_.acceleration + (delay_ + ahead) * fast_.jerk) + trust_ * slow_.acceleration;
+    return (1 - trust_) * (fast_.acceleration + (delay_ + ahead) * fast_.jerk) +
+           trust_ * slow_.acceleration;
 }
 
 }  // namespace polyturn::kernel

@@ -4,8 +4,9 @@
 
 namespace polyturn::kernel {
 namespace {
-constexpr double kJerkShare = 0.98;   // so that the landing, which fits its jerk to the way, always has some left
-constexpr double kSame = 1e-12;       // rev
+// so that the landing, which fits its jerk to the way, always has some left
+constexpr double kJerkShare = 0.98;
+constexpr double kSame = 1e-12;  // rev
 }  // namespace
 
 void SpindlePositioner::take_over(double s, double v) noexcept {
@@ -18,13 +19,18 @@ void SpindlePositioner::follow(double s, double dt) noexcept {
     aims_ = landing_now_ = false;
 }
 
-double SpindlePositioner::stop_way() const noexcept {
-    return std::fabs(state_.v) > 0 ? std::copysign(stopping_distance(std::fabs(state_.v), 0, limits_.acceleration, kJerkShare * limits_.jerk), state_.v) : 0.0;
+double SpindlePositioner::stop_travel() const noexcept {
+    return std::fabs(state_.v) > 0
+               ? std::copysign(stopping_distance(std::fabs(state_.v), 0, limits_.acceleration,
+                                                 kJerkShare * limits_.jerk),
+                               state_.v)
+               : 0.0;
 }
 
 double SpindlePositioner::beyond(double angle, bool positive) const noexcept {
-    const double from = state_.s + (positive == (state_.v > 0) ? stop_way() : 0.0);
-    const double rest = positive ? std::ceil(from - angle - kSame) : std::floor(from - angle + kSame);
+    const double from = state_.s + (positive == (state_.v > 0) ? stop_travel() : 0.0);
+    const double rest =
+        positive ? std::ceil(from - angle - kSame) : std::floor(from - angle + kSame);
     return angle + rest;
 }
 
@@ -34,7 +40,8 @@ double SpindlePositioner::next_in_direction(double angle) const noexcept {
 
 double SpindlePositioner::nearest(double angle) const noexcept {
     const double turns = state_.s - angle;
-    return angle + std::ceil(turns - 0.5 - kSame) + (std::ceil(turns - 0.5 - kSame) == turns - 0.5 ? 1.0 : 0.0);
+    return angle + std::ceil(turns - 0.5 - kSame) +
+           (std::ceil(turns - 0.5 - kSame) == turns - 0.5 ? 1.0 : 0.0);
 }
 
 void SpindlePositioner::go(double target) noexcept {
@@ -61,7 +68,9 @@ double SpindlePositioner::step(double dt) noexcept {
         return state_.s;
     }
     // Mirrored so that it goes forwards.
-    double sign = state_.v != 0 ? std::copysign(1.0, state_.v) : way != 0 ? std::copysign(1.0, way) : 1.0;
+    double sign = state_.v != 0 ? std::copysign(1.0, state_.v)
+                  : way != 0    ? std::copysign(1.0, way)
+                                : 1.0;
     const PathState here{0, sign * state_.v, sign * state_.a};
     const double left = sign * way;
     const double jerk = kJerkShare * limits_.jerk;
@@ -69,16 +78,25 @@ double SpindlePositioner::step(double dt) noexcept {
     PathState next = towards_speed(here, on ? limits_.speed : 0.0, limits_.acceleration, jerk, dt);
     if (next.v < 0) next = {next.s, 0, 0};
     if (on && stopping_distance(next.v, next.a, limits_.acceleration, jerk) > left - next.s) {
-        landing_now_ = landing_.aim(here.v, here.a, left, limits_.acceleration, limits_.jerk * 1e-6, limits_.jerk);
-        if (!landing_now_ && here.v == 0) landing_.at_once(left), landing_now_ = true;   // shorter than a tick can tell
+        landing_now_ = landing_.aim(here.v, here.a, left, limits_.acceleration, limits_.jerk * 1e-6,
+                                    limits_.jerk);
+        // shorter than a tick can tell
+        if (!landing_now_ && here.v == 0) {
+            landing_.at_once(left);
+            landing_now_ = true;
+        }
         if (landing_now_) {
             sign_ = sign;
             const PathState moved = landing_.step(dt);
             state_ = {state_.s + sign * moved.s, sign * moved.v, sign * moved.a};
-            if (landing_.landed()) state_ = {target_, 0, 0}, landing_now_ = aims_ = false;
+            if (landing_.landed()) {
+                state_ = {target_, 0, 0};
+                landing_now_ = aims_ = false;
+            }
             return state_.s;
         }
-        next = towards_speed(here, 0, limits_.acceleration, jerk, dt);   // too fast for it: comes back from behind
+        // too fast for it: comes back from behind
+        next = towards_speed(here, 0, limits_.acceleration, jerk, dt);
         if (next.v < 0) next = {next.s, 0, 0};
     }
     state_ = {state_.s + sign * next.s, sign * next.v, sign * next.a};

@@ -4,8 +4,9 @@
 
 namespace polyturn::kernel {
 namespace {
-constexpr double kPole = 120;          // 1/s, of what is left to the line; see «Driving»
-constexpr double kShareA = 0.85, kShareJ = 0.8;  // of the limits for closing a gap; the rest follows the spindle's swings
+constexpr double kPole = 120;  // 1/s, of what is left to the line; see «Driving»
+// of the limits for closing a gap; the rest follows the spindle's swings
+constexpr double kShareA = 0.85, kShareJ = 0.8;
 constexpr double kPlannedJerk = 0.98;  // the landing ends exactly with the rest
 }  // namespace
 
@@ -23,8 +24,16 @@ void ThreadFollower::clear(std::uint64_t first) noexcept {
 bool ThreadFollower::append(const PathRecord& record) noexcept {
     if (count_ == kThreadRecords) return false;
     Piece& piece = pieces_[count_];
-    piece = {length_, std::max(record.length, 0.0), 0, std::max(std::abs(record.lead), 1e-9), record.lead_change,
-             std::max(record.v_max, 1e-6), std::max(record.a_max, 1e-6), 0, 0, 0};
+    piece = {length_,
+             std::max(record.length, 0.0),
+             0,
+             std::max(std::abs(record.lead), 1e-9),
+             record.lead_change,
+             std::max(record.v_max, 1e-6),
+             std::max(record.a_max, 1e-6),
+             0,
+             0,
+             0};
     piece.j_max = std::clamp(record.j_max, 1e-6, 100 * piece.a_max / dt_);
     if (count_ == 0) {
         start_angle_ = record.start_angle;
@@ -35,7 +44,8 @@ bool ThreadFollower::append(const PathRecord& record) noexcept {
     } else {
         const Piece& last = pieces_[count_ - 1];
         // Revolutions that the piece before takes: lead u + change u^2/2 = length.
-        const double root = std::sqrt(std::max(0.0, last.lead * last.lead + 2 * last.lead_change * last.length));
+        const double root =
+            std::sqrt(std::max(0.0, last.lead * last.lead + 2 * last.lead_change * last.length));
         piece.turn = last.turn + 2 * last.length / (last.lead + root);
         a_max_ = std::min(a_max_, piece.a_max);
         j_max_ = std::min(j_max_, piece.j_max);
@@ -46,20 +56,25 @@ bool ThreadFollower::append(const PathRecord& record) noexcept {
     return true;
 }
 
-ThreadFollower::Line ThreadFollower::line_at(double angle, double speed, double acceleration) const noexcept {
+ThreadFollower::Line ThreadFollower::line_at(double angle, double speed,
+                                             double acceleration) const noexcept {
     const double turn = sense_ * (angle - origin_) / 360;
     std::uint32_t i = line_piece_;
     while (i + 1 < count_ && turn >= pieces_[i + 1].turn) ++i;
     const Piece& piece = pieces_[i];
     const double u = turn - piece.turn;
-    const double change = u > 0 ? piece.lead_change : 0;  // before its beginning the line is straight
+    // before its beginning the line is straight
+    const double change = u > 0 ? piece.lead_change : 0;
     const double lead = std::max(0.0, piece.lead + change * u);
     const double rate = sense_ * speed / 360;
-    return {piece.begin + u * (piece.lead + change * u / 2), lead * rate, lead * sense_ * acceleration / 360 + change * rate * rate, i};
+    return {piece.begin + u * (piece.lead + change * u / 2), lead * rate,
+            lead * sense_ * acceleration / 360 + change * rate * rate, i};
 }
 
-double ThreadFollower::closing_time(double speed_step, double a_max, double j_max, double peak_a, double peak_j) noexcept {
-    return std::max(peak_a * speed_step / (kShareA * a_max), std::sqrt(peak_j * speed_step / (kShareJ * j_max)));
+double ThreadFollower::closing_time(double speed_step, double a_max, double j_max, double peak_a,
+                                    double peak_j) noexcept {
+    return std::max(peak_a * speed_step / (kShareA * a_max),
+                    std::sqrt(peak_j * speed_step / (kShareJ * j_max)));
 }
 
 double ThreadFollower::run_in(double spindle_speed) const noexcept {
@@ -75,19 +90,22 @@ bool ThreadFollower::wait_for_angle(const ThreadInput& input, ThreadStep& step) 
     double lead = 0;
     for (std::uint32_t i = 0; i < count_; ++i) {
         const Piece& piece = pieces_[i];
-        const double root = std::sqrt(std::max(0.0, piece.lead * piece.lead + 2 * piece.lead_change * piece.length));
+        const double root = std::sqrt(
+            std::max(0.0, piece.lead * piece.lead + 2 * piece.lead_change * piece.length));
         lead = std::max({lead, piece.lead, root});
     }
     step.too_fast = lead * speed / 360 > v_max_;
     if (step.too_fast) return false;
     sense_ = input.speed > 0 ? 1 : -1;
-    const double need = speed * closing_time(v, a_max_, j_max_, 1.5, 6) / 2;  // degrees before the start angle
+    // degrees before the start angle
+    const double need = speed * closing_time(v, a_max_, j_max_, 1.5, 6) / 2;
     // input.angle is that of the tick's end; the motion would begin at its beginning.
     const double angle = input.angle - input.speed * dt_;
     double over = std::fmod(sense_ * (start_angle_ - angle) - need, 360);
     if (over < 0) over += 360;
     if (over >= speed * dt_) return false;  // the next tick is early enough
-    const double ahead = need + over;       // degrees until the start angle: the line is that far behind s = 0
+    // degrees until the start angle: the line is that far behind s = 0
+    const double ahead = need + over;
     origin_ = angle + sense_ * ahead;
     gap_.begin({v * ahead / speed, -v, 0}, 2 * ahead / speed);
     line_piece_ = 0;
@@ -108,12 +126,14 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
     phase_ = gap_.open() ? ThreadPhase::Closing : ThreadPhase::OnLine;
     // Where the path would be at the tick's end without jerk, and what is then left.
     const PathState free = advanced(state_, 0, dt_);
-    const double d = line.s + gap.e - free.s, d1 = line.v + gap.e1 - free.v, d2 = line.a + gap.e2 - free.a;
+    const double d = line.s + gap.e - free.s, d1 = line.v + gap.e1 - free.v,
+                 d2 = line.a + gap.e2 - free.a;
     constexpr double p = kPole;
     double j = p * p * p * (p * sum_ + 4 * d) + 6 * p * p * d1 + 4 * p * d2;
     const double limit = 0.99 * j_max_;
     if (std::abs(j) < limit) sum_ += d * dt_;
-    j = std::clamp(j, std::max(-limit, (-a_max_ - state_.a) / dt_), std::min(limit, (a_max_ - state_.a) / dt_));
+    j = std::clamp(j, std::max(-limit, (-a_max_ - state_.a) / dt_),
+                   std::min(limit, (a_max_ - state_.a) / dt_));
     PathState next = advanced(state_, j, dt_);
     if (next.v < 0) next = towards_speed(state_, 0, a_max_, limit, dt_);
     if (release_speed(next.v, std::max(next.a, 0.0), limit) > v_max_) {
@@ -127,21 +147,29 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
 ThreadStep ThreadFollower::tick(const ThreadInput& input) noexcept {
     ThreadStep step;
     step.began_from = step.began_to = step.ended_from = step.ended_to = first_ + piece_;
-    if (phase_ == ThreadPhase::Waiting && !input.brake && input.emergency_dec <= 0 && wait_for_angle(input, step)) phase_ = ThreadPhase::Closing;
+    if (phase_ == ThreadPhase::Waiting && !input.brake && input.emergency_dec <= 0 &&
+        wait_for_angle(input, step))
+        phase_ = ThreadPhase::Closing;
     const double before = state_.s;
-    if (phase_ == ThreadPhase::Closing || phase_ == ThreadPhase::OnLine || phase_ == ThreadPhase::Leaving) {
+    if (phase_ == ThreadPhase::Closing || phase_ == ThreadPhase::OnLine ||
+        phase_ == ThreadPhase::Leaving) {
         if (input.emergency_dec > 0) {
             const double time = std::min(dt_, state_.v / input.emergency_dec);
-            state_ = {state_.s + time * (state_.v - input.emergency_dec * time / 2), time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0};
+            state_ = {state_.s + time * (state_.v - input.emergency_dec * time / 2),
+                      time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0};
             phase_ = state_.v > 0 ? ThreadPhase::Leaving : ThreadPhase::Done;
             state_.s = std::min(state_.s, length_);
         } else if (phase_ == ThreadPhase::Leaving && !input.brake) {
             const PathState next = landing_.step(dt_);
             state_ = {state_.s + next.s, next.v, next.a};
         } else {
-            PathState next = input.brake ? towards_speed(state_, 0, a_max_, kPlannedJerk * j_max_, dt_) : follow(input, step);
+            PathState next = input.brake
+                                 ? towards_speed(state_, 0, a_max_, kPlannedJerk * j_max_, dt_)
+                                 : follow(input, step);
             const double left = length_ - state_.s;
-            if (next.v > 0 && stopping_distance(next.v, next.a, a_max_, kPlannedJerk * j_max_) > length_ - next.s &&
+            if (next.v > 0 &&
+                stopping_distance(next.v, next.a, a_max_, kPlannedJerk * j_max_) >
+                    length_ - next.s &&
                 landing_.aim(state_.v, state_.a, left, a_max_, j_max_ / 100, j_max_)) {
                 phase_ = ThreadPhase::Leaving;
                 next = landing_.step(dt_);
@@ -162,7 +190,9 @@ ThreadStep ThreadFollower::tick(const ThreadInput& input) noexcept {
 
 void ThreadFollower::report(double moved_from, ThreadStep& step) noexcept {
     const double moved = state_.s - moved_from;
-    const auto part = [&](double s) { return moved > 0 ? std::clamp((s - moved_from) / moved, 0.0, 1.0) : 1.0; };
+    const auto part = [&](double s) {
+        return moved > 0 ? std::clamp((s - moved_from) / moved, 0.0, 1.0) : 1.0;
+    };
     while (count_ > 0 && (phase_ != ThreadPhase::Waiting && phase_ != ThreadPhase::Idle)) {
         Piece& piece = pieces_[piece_];
         if (!began_) {

@@ -1,4 +1,5 @@
-// A machine builder's PLC in this process: the shared object, its state, and the slots and parameters it asks for.
+// A machine builder's PLC in this process: the shared object, its state, and the slots and
+// parameters it asks for.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -15,13 +16,15 @@ namespace polyturn::plc {
 
 class BuilderPlc {
 public:
-    // Loads the object; it stays loaded while the process lives (its code may have registered whatever it likes).
+    // Loads the object; it stays loaded while the process lives (its code may have registered
+    // whatever it likes).
     static Result<BuilderPlc> load(const std::string& library);
     // Fresh state, then the builder's init().
     // memory: of the two functions that read and write it; it lives as long as the PLC runs.
     Result<void> init(const params::Table& parameters, double tick_s, PlcMemory& memory);
     void cycle(const PlcInputs& inputs, PlcOutputs& outputs);
-    // The fast task: what it reads and writes (after init(); writes 0: there is none), and one call of it.
+    // The fast task: what it reads and writes (after init(); writes 0: there is none), and one call
+    // of it.
     const PlcFastPlan& fast_plan() const { return plan_; }
     void fast(const PlcFastInputs& inputs, PlcFastOutputs& outputs);
     const char* name() const { return plc_->name; }

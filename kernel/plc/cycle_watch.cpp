@@ -16,7 +16,8 @@ std::atomic<std::uint64_t> last_seen{0};
 void check(int) {
     const std::uint64_t now = running.load(std::memory_order_relaxed);
     if (now != 0 && now == last_seen.load(std::memory_order_relaxed)) {
-        static constexpr char kText[] = "polyturn-plc: a PLC cycle did not end; the PLC is stopped\n";
+        static constexpr char kText[] =
+            "polyturn-plc: a PLC cycle did not end; the PLC is stopped\n";
         [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
         _exit(3);
     }
@@ -29,7 +30,8 @@ void start() {
     action.sa_handler = check;
     action.sa_flags = SA_RESTART;
     sigaction(SIGPROF, &action, nullptr);
-    const itimerval every{{kCpuLimitMs / 1000, kCpuLimitMs % 1000 * 1000}, {kCpuLimitMs / 1000, kCpuLimitMs % 1000 * 1000}};
+    const itimerval every{{kCpuLimitMs / 1000, kCpuLimitMs % 1000 * 1000},
+                          {kCpuLimitMs / 1000, kCpuLimitMs % 1000 * 1000}};
     setitimer(ITIMER_PROF, &every, nullptr);
 }
 

@@ -1,4 +1,5 @@
-// polyturn-plc: the process that runs the machine builder's PLC. Started by polyturn beside the kernel.
+// polyturn-plc: the process that runs the machine builder's PLC. Started by polyturn beside the
+// kernel.
 #include <fmt/format.h>
 #include <getopt.h>
 #include <signal.h>
@@ -28,7 +29,8 @@ std::string beside_this_program(const char* name) {
 }
 
 int complain(const polyturn::Diagnosis& diagnosis) {
-    fmt::print(stderr, "polyturn-plc: {}", polyturn::render(diagnosis, polyturn::Dialect::Polyturn, ""));
+    fmt::print(stderr, "polyturn-plc: {}",
+               polyturn::render(diagnosis, polyturn::Dialect::Polyturn, ""));
     return 2;
 }
 
@@ -36,21 +38,36 @@ int complain(const polyturn::Diagnosis& diagnosis) {
 
 int main(int argc, char** argv) {
     std::string instance, retained, library = beside_this_program("liblathe_plc.so");
-    static const option kOptions[] = {{"instance", required_argument, nullptr, 'i'}, {"library", required_argument, nullptr, 'l'}, {"retained", required_argument, nullptr, 'r'}, {"help", no_argument, nullptr, 'h'}, {}};
+    static const option kOptions[] = {{"instance", required_argument, nullptr, 'i'},
+                                      {"library", required_argument, nullptr, 'l'},
+                                      {"retained", required_argument, nullptr, 'r'},
+                                      {"help", no_argument, nullptr, 'h'},
+                                      {}};
     for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
         switch (letter) {
-            case 'i': instance = optarg; break;
-            case 'l': library = optarg; break;
-            case 'r': retained = optarg; break;
-            case 'h': fmt::print("{}", kHelp); return 0;
-            default: fmt::print(stderr, "{}", kHelp); return 2;
+            case 'i':
+                instance = optarg;
+                break;
+            case 'l':
+                library = optarg;
+                break;
+            case 'r':
+                retained = optarg;
+                break;
+            case 'h':
+                fmt::print("{}", kHelp);
+                return 0;
+            default:
+                fmt::print(stderr, "{}", kHelp);
+                return 2;
         }
     }
     if (instance.empty() || optind != argc) {
         fmt::print(stderr, "{}", kHelp);
         return 2;
     }
-    if (!polyturn::valid_instance(instance)) return complain({polyturn::Alarm::SegmentMissing, {}, {}, instance});
+    if (!polyturn::valid_instance(instance))
+        return complain({polyturn::Alarm::SegmentMissing, {}, {}, instance});
 
     struct sigaction action {};
     action.sa_handler = [](int) { stop = true; };

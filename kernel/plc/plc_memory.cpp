@@ -14,7 +14,8 @@
 
 namespace polyturn::plc {
 namespace {
-constexpr char kMagic[8] = {'P', 'T', 'P', 'L', 'C', 'M', '1', '\n'};   // then for each block: number, length (u32 each), bytes
+// then for each block: number, length (u32 each), bytes
+constexpr char kMagic[8] = {'P', 'T', 'P', 'L', 'C', 'M', '1', '\n'};
 }  // namespace
 
 void PlcMemory::open(std::string path, bool queued) {
@@ -32,16 +33,19 @@ void PlcMemory::load() {
     if (!file) return;
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
     const auto damaged = [&] {
-        fmt::print(stderr, "polyturn-plc: {}: no memory of a PLC, or not whole; it begins empty\n", path_);
+        fmt::print(stderr, "polyturn-plc: {}: no memory of a PLC, or not whole; it begins empty\n",
+                   path_);
         for (auto& block : blocks_) block.clear();
     };
-    if (bytes.size() < sizeof kMagic || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return damaged();
+    if (bytes.size() < sizeof kMagic || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
+        return damaged();
     for (std::size_t at = sizeof kMagic; at < bytes.size();) {
         std::uint32_t head[2];
         if (bytes.size() - at < sizeof head) return damaged();
         std::memcpy(head, bytes.data() + at, sizeof head);
         at += sizeof head;
-        if (head[0] >= kBlocks || head[1] > kLongest || bytes.size() - at < head[1]) return damaged();
+        if (head[0] >= kBlocks || head[1] > kLongest || bytes.size() - at < head[1])
+            return damaged();
         const auto* from = reinterpret_cast<const std::byte*>(bytes.data() + at);
         blocks_[head[0]].assign(from, from + head[1]);
         at += head[1];
@@ -64,17 +68,19 @@ void PlcMemory::keep(const std::stop_token& stop) {
     bool told = false;
     std::unique_lock hold(lock_);
     while (true) {
-        news_.wait(hold, stop, [&] { return wanted_.has_value(); });
-        if (!wanted_) return;   // asked to stop, and everything is kept
+        store_changes_.wait(hold, stop, [&] { return wanted_.has_value(); });
+        if (!wanted_) return;  // asked to stop, and everything is kept
         std::string bytes = std::move(*wanted_);
         wanted_.reset();
         hold.unlock();
         const auto kept = text::replace_file(path_, bytes);
-        if (!kept && !std::exchange(told, true)) fmt::print(stderr, "polyturn-plc: {}\n", kept.diagnosis().text());
+        if (!kept && !std::exchange(told, true))
+            fmt::print(stderr, "polyturn-plc: {}\n", kept.diagnosis().text());
         hold.lock();
         if (!kept && !wanted_ && !stop.stop_requested()) {
             wanted_ = std::move(bytes);
-            (void)news_.wait_for(hold, stop, std::chrono::seconds(1), [] { return false; });
+            (void)store_changes_.wait_for(hold, stop, std::chrono::seconds(1),
+                                          [] { return false; });
         }
     }
 }
@@ -88,24 +94,30 @@ void PlcMemory::begin_cycle() noexcept {
 void PlcMemory::end_cycle() {
     if (timeouts_ && !told_) {
         told_ = true;
-        fmt::print(stderr, "polyturn-plc: PLC timeout: more than one memory read in a cycle while N1274 #0 is 0\n");
+        fmt::print(
+            stderr,
+            "polyturn-plc: PLC timeout: more than one memory read in a cycle while N1274 #0 is 0\n");
     }
     if (std::exchange(dirty_, false) && !path_.empty()) {
         {
             const std::lock_guard hold(lock_);
             wanted_ = image();
         }
-        news_.notify_all();
+        store_changes_.notify_all();
     }
 }
 
 int PlcMemory::read(std::uint32_t block, void* to, std::size_t size) noexcept {
     if (block >= kBlocks || blocks_[block].size() != size) return POLYTURN_PLC_MEMORY_NONE;
     if (queued_) {
-        if (!ready_[block]) return asked_[block] = true, POLYTURN_PLC_MEMORY_QUEUED;
+        if (!ready_[block]) {
+            asked_[block] = true;
+            return POLYTURN_PLC_MEMORY_QUEUED;
+        }
         ready_[block] = false;
     } else if (reads_++ > 0) {
-        return ++timeouts_, POLYTURN_PLC_MEMORY_TIMEOUT;
+        ++timeouts_;
+        return POLYTURN_PLC_MEMORY_TIMEOUT;
     }
     std::memcpy(to, blocks_[block].data(), size);
     return POLYTURN_PLC_MEMORY_DONE;

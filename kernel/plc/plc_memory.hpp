@@ -1,8 +1,10 @@
-// Blocks of memory that a PLC reads and writes by itself and that outlive it: the MR and MW commands of N1274
-// (nct_parameters_part1 13). They lie in one file beside the machine's store, which is replaced whole behind a cycle that wrote:
-// by a thread of its own, for a disk may take longer than a cycle. What several cycles write meanwhile goes to the disk together.
+// Blocks of memory that a PLC reads and writes by itself and that outlive it: the MR and MW
+// commands of N1274 (nct_parameters_part1 13). They lie in one file beside the machine's store,
+// which is replaced whole behind a cycle that wrote: by a thread of its own, for a disk may take
+// longer than a cycle. What several cycles write meanwhile goes to the disk together.
 //
-//   MRW 0   a read is done at once, one in a cycle; a second one in the same cycle is a PLC timeout: it is refused and said
+//   MRW 0   a read is done at once, one in a cycle; a second one in the same cycle is a PLC
+//           timeout: it is refused and said
 //   MRW 1   reads are queued: any number in a cycle, and each is answered in the next one
 #pragma once
 #include <bitset>
@@ -22,8 +24,8 @@ public:
     static constexpr std::uint32_t kBlocks = 256;
     static constexpr std::size_t kLongest = 4096;
 
-    // path: empty: nothing is kept. A file that cannot be read as one of these is told on stderr and replaced by the first write.
-    // Called once.
+    // path: empty: nothing is kept. A file that cannot be read as one of these is told on stderr
+    // and replaced by the first write. Called once.
     void open(std::string path, bool queued);
     void begin_cycle() noexcept;
     void end_cycle();
@@ -38,15 +40,16 @@ private:
     void keep(const std::stop_token& stop);
     std::string path_;
     bool queued_ = true, dirty_ = false, told_ = false;
-    unsigned reads_ = 0;                       // of this cycle
+    unsigned reads_ = 0;  // of this cycle
     std::uint64_t timeouts_ = 0;
     std::vector<std::vector<std::byte>> blocks_ = std::vector<std::vector<std::byte>>(kBlocks);
     std::bitset<kBlocks> asked_, ready_;
 
-    std::mutex lock_;                          // of `wanted_`, between the cycle and the disk's thread
-    std::condition_variable_any news_;
-    std::optional<std::string> wanted_;        // the newest content that is not on the disk
-    std::jthread disk_;                        // last: it ends first, with everything kept
+    // of `wanted_`, between the cycle and the disk's thread
+    std::mutex lock_;
+    std::condition_variable_any store_changes_;
+    std::optional<std::string> wanted_;  // the newest content that is not on the disk
+    std::jthread disk_;                  // last: it ends first, with everything kept
 };
 
 }  // namespace polyturn::plc

@@ -18,8 +18,9 @@ namespace polyturn::plc {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{10'000};
-constexpr std::int64_t kLookRoundUs = 100'000;  // how often a PLC without work looks for a stop or a new kernel
+constexpr std::chrono::milliseconds kTimeout{10'000};
+// how often a PLC without work looks for a stop or a new kernel
+constexpr std::int64_t kLookRoundUs = 100'000;
 constexpr int kSpins = 200;
 
 bool another_kernel(const std::string& instance, std::uint64_t generation) {
@@ -33,31 +34,38 @@ void put_back(const std::string& path, std::span<std::byte> state) {
     if (!file || static_cast<std::size_t>(file.tellg()) != state.size()) return;
     std::vector<char> bytes(state.size());
     file.seekg(0);
-    if (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) std::memcpy(state.data(), bytes.data(), bytes.size());
+    if (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        std::memcpy(state.data(), bytes.data(), bytes.size());
 }
 
 void keep(const std::string& path, std::span<const std::byte> state) {
     if (state.empty()) return;
-    const auto kept = text::replace_file(path, {reinterpret_cast<const char*>(state.data()), state.size()});
+    const auto kept =
+        text::replace_file(path, {reinterpret_cast<const char*>(state.data()), state.size()});
     if (!kept) fmt::print(stderr, "polyturn-plc: {}\n", kept.diagnosis().text());
 }
 
 }  // namespace
 
-Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop, const std::string& retained) {
+Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc,
+                               const std::atomic<bool>& stop, const std::string& retained) {
     bool keeps = false;
     PlcMemory memory;
-    auto kernel_segment = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
+    auto kernel_segment = PeerSegment<KernelSegment>::attach(instance, 0, kTimeout);
     if (!kernel_segment) return kernel_segment.diagnosis();
     const KernelSegment& kernel = **kernel_segment;
     const std::uint64_t generation = kernel.header.generation;
     {
-        auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+        auto store = PeerSegment<StoreSegment>::attach(instance, 0, kTimeout);
         if (!store) return store.diagnosis();
         const auto parameters = std::make_unique<params::Table>();
         while (!(*store)->parameters.read(*parameters)) sleep_ms(1);
-        const double tick_s = static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
-        memory.open(retained.empty() ? std::string{} : (std::filesystem::path(retained).parent_path() / "plc.memory").string(), params::bit(*parameters, params::n1274_plc_prgconfig, 0));
+        const double tick_s =
+            static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
+        memory.open(retained.empty()
+                        ? std::string{}
+                        : (std::filesystem::path(retained).parent_path() / "plc.memory").string(),
+                    params::bit(*parameters, params::n1274_plc_prgconfig, 0));
         if (auto ready = plc.init(*parameters, tick_s, memory); !ready) return ready.diagnosis();
         keeps = !retained.empty() && params::bit(*parameters, params::n1274_plc_prgconfig, 1);
         if (keeps) put_back(retained, plc.retained());
@@ -74,11 +82,12 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
     PlcFastOutputs fast_outputs{};
     const bool has_fast = plc.fast_plan().writes != 0;
     std::uint64_t done = 0, fast_version = 0, version = 0, turns = 0;
-    bool waits = false;   // inputs of a cycle have been read and are not worked off
+    bool waits = false;  // inputs of a cycle have been read and are not worked off
     while (!stop.load(std::memory_order_relaxed)) {
         const std::uint32_t rung = kernel.plc_bell.seen();
         bool worked = false;
-        if (const std::uint64_t newest = has_fast ? kernel.plc_fast.version() : 0; newest != fast_version && kernel.plc_fast.read(fast_inputs)) {
+        if (const std::uint64_t newest = has_fast ? kernel.plc_fast.version() : 0;
+            newest != fast_version && kernel.plc_fast.read(fast_inputs)) {
             fast_version = newest;
             cycle_watch::begin(++turns);
             plc.fast(fast_inputs, fast_outputs);
@@ -89,8 +98,13 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
             segment.bell.ring();
             worked = true;
         }
-        if (const std::uint64_t newest = kernel.plc_inputs.version(); newest != version && kernel.plc_inputs.read(*inputs)) version = newest, waits = inputs->cycle != done;
-        // The fast task of the same tick is sent behind the cycle's inputs and comes first: one order, however this process is woken.
+        if (const std::uint64_t newest = kernel.plc_inputs.version();
+            newest != version && kernel.plc_inputs.read(*inputs)) {
+            version = newest;
+            waits = inputs->cycle != done;
+        }
+        // The fast task of the same tick is sent behind the cycle's inputs and comes first: one
+        // order, however this process is woken.
         if (waits && (!has_fast || fast_inputs.tick >= inputs->tick)) {
             waits = false;
             cycle_watch::begin(++turns);
@@ -106,7 +120,8 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
         }
         if (worked) continue;
         kernel.plc_bell.wait(rung, kLookRoundUs, kSpins);
-        if (kernel.plc_bell.seen() == rung && another_kernel(instance, generation)) return SessionEnd::NewKernel;
+        if (kernel.plc_bell.seen() == rung && another_kernel(instance, generation))
+            return SessionEnd::NewKernel;
     }
     if (keeps) keep(retained, plc.retained());
     return SessionEnd::Asked;

@@ -1,20 +1,21 @@
 // The `polyturn` command: what it can do stands in docs and in cli.md.
 #include <csignal>
 
-#include "kernel/supervisor/ask_verbs.hpp"
-#include "kernel/supervisor/bench.hpp"
-#include "kernel/supervisor/check.hpp"
-#include "kernel/supervisor/dialogue_verb.hpp"
-#include "kernel/supervisor/job_verb.hpp"
-#include "kernel/supervisor/options.hpp"
-#include "kernel/supervisor/params_verb.hpp"
-#include "kernel/supervisor/run.hpp"
-#include "kernel/supervisor/start.hpp"
-#include "kernel/supervisor/store_verb.hpp"
+#include "kernel/supervisor/base/options.hpp"
+#include "kernel/supervisor/check/check.hpp"
+#include "kernel/supervisor/job/job_verb.hpp"
+#include "kernel/supervisor/press/dialogue_verb.hpp"
+#include "kernel/supervisor/run/run.hpp"
+#include "kernel/supervisor/start/start.hpp"
+#include "kernel/supervisor/status/ask_verbs.hpp"
+#include "kernel/supervisor/status/bench.hpp"
+#include "kernel/supervisor/store/params_verb.hpp"
+#include "kernel/supervisor/store/store_verb.hpp"
 
 int main(int argc, char** argv) {
     using namespace polyturn::supervisor;
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is no reason to leave a machine without its supervisor
+    // a reader that goes away is no reason to leave a machine without its supervisor
+    std::signal(SIGPIPE, SIG_IGN);
     const CommandLine line = read_command_line(argc, argv);
     switch (line.verb) {
         case Verb::Check:

@@ -1,16 +1,18 @@
-// Brings the notes of all channels to the joiner. A channel's process may write what it likes into its ring: whoever writes what
-// cannot be is named, and from then on its notes are left alone until a successor is there.
+// Brings the notes of all channels to the joiner. A channel's process may write what it likes into
+// its ring: whoever writes what cannot be is named, and from then on its notes are left alone until
+// a successor is there.
 #pragma once
 #include <string>
 
 #include "ipc/memory/note_reader.hpp"
-#include "kernel/supervisor/controller.hpp"
-#include "kernel/supervisor/event_joiner.hpp"
+#include "kernel/supervisor/base/controller.hpp"
+#include "kernel/supervisor/base/event_joiner.hpp"
 
 namespace polyturn::supervisor {
 
 // Of one ring: true when it can go on being read. `moved` is set when something was there.
-inline bool take_ring(const NoteHead& ring, std::atomic<std::uint64_t>& tail, unsigned channel, EventJoiner& joiner, std::string& text, bool& moved) {
+inline bool take_ring(const NoteHead& ring, std::atomic<std::uint64_t>& tail, unsigned channel,
+                      EventJoiner& joiner, std::string& text, bool& moved) {
     ForeignNotes notes(ring, tail);
     for (std::uint64_t number = 0;;) {
         const ForeignNotes::Taken taken = notes.take(number, text);
@@ -29,7 +31,9 @@ bool take_notes(Controller& controller, EventJoiner& joiner, Wrong wrong) {
         const ChannelSegment* channel = controller.channel(number);
         // A successor that is on its way begins where its predecessor's notes were read to.
         if (!channel || controller.awaits(number)) continue;
-        if (take_ring(channel->notes, controller.own().note_tail[number - 1], number, joiner, text, moved)) continue;
+        if (take_ring(channel->notes, controller.own().note_tail[number - 1], number, joiner, text,
+                      moved))
+            continue;
         if (controller.running(kProcessChannel + number - 1)) wrong(number);
     }
     return moved;

@@ -1,6 +1,6 @@
-// libs: polyturn_motion polyturn_channel_path
-// How near the planner comes to the least possible time on tests/bench/parts (the issue allows 10 % above the reference), and
-// what a tick of it costs. First a table, then Google Benchmark's.
+// libs: polyturn_motion polyturn_channel_path How near the planner comes to the least possible time
+// on tests/bench/parts (the issue allows 10 % above the reference), and what a tick of it costs.
+// First a table, then Google Benchmark's.
 //     motion_bench                   both
 //     motion_bench --paths X.part    the path of a part as tests/bench/reference/reference.cpp reads it
 #include <benchmark/benchmark.h>
@@ -62,7 +62,16 @@ Part load(const std::filesystem::path& file) {
         if (!(words >> word)) continue;
         if (word == "limits") {
             words >> part.velocity >> part.acceleration >> part.jerk;
-            for (auto& axis : limits.axis) axis = {part.velocity, part.velocity, part.acceleration, part.acceleration, part.jerk, 0, 0, 0, false};
+            for (auto& axis : limits.axis)
+                axis = {part.velocity,
+                        part.velocity,
+                        part.acceleration,
+                        part.acceleration,
+                        part.jerk,
+                        0,
+                        0,
+                        0,
+                        false};
         } else if (word == "tolerance") {
             words >> limits.tolerance;
         } else if (word == "start") {
@@ -72,7 +81,8 @@ Part load(const std::filesystem::path& file) {
             words >> to_x >> to_z >> feed;
             begin(RecordKind::Line, to_x, to_z, feed);
             maker.add_move();
-            x = to_x, z = to_z;
+            x = to_x;
+            z = to_z;
         } else if (word == "arc") {
             double to_x = 0, to_z = 0, cx = 0, cz = 0, feed = 0;
             std::string sense;
@@ -90,7 +100,8 @@ Part load(const std::filesystem::path& file) {
             r.shape[arc_shape::kStartAngle] = from;
             r.shape[arc_shape::kSweep] = sweep;
             maker.add_move();
-            x = to_x, z = to_z;
+            x = to_x;
+            z = to_z;
         }
     }
     maker.flush();
@@ -98,22 +109,27 @@ Part load(const std::filesystem::path& file) {
     return part;
 }
 
-// Between two stands the grid is fine at both ends, where acceleration changes on short ways, and at records' borders.
+// Between two stands the grid is fine at both ends, where acceleration changes on short ways, and
+// at records' borders.
 void print_paths(const Part& part) {
-    std::printf("axes 2\nlimits %.17g %.17g %.17g %.17g\n", part.acceleration, part.jerk, part.acceleration, part.jerk);
+    std::printf("axes 2\nlimits %.17g %.17g %.17g %.17g\n", part.acceleration, part.jerk,
+                part.acceleration, part.jerk);
     for (std::size_t first = 0; first < part.records.size();) {
         std::size_t last = first;
         double length = part.records[first].length;
-        while (last + 1 < part.records.size() && (part.records[last].flags & kExactStop) == 0) length += part.records[++last].length;
+        while (last + 1 < part.records.size() && (part.records[last].flags & kExactStop) == 0)
+            length += part.records[++last].length;
         std::vector<std::string> rows;
         double before = 0;
         for (std::size_t i = first; i <= last; ++i) {
             const PathRecord& r = part.records[i];
-            // Nodes of the cosine grid of the whole segment that lie in this record, at least six intervals.
+            // Nodes of the cosine grid of the whole segment that lie in this record, at least six
+            // intervals.
             std::vector<double> nodes{0};
             constexpr int kWhole = 160;
             for (int k = 1; k < kWhole; ++k) {
-                const double s = length * (1 - std::cos(std::numbers::pi * k / kWhole)) / 2 - before;
+                const double s =
+                    length * (1 - std::cos(std::numbers::pi * k / kWhole)) / 2 - before;
                 if (s > 1e-3 * r.length && s < (1 - 1e-3) * r.length) nodes.push_back(s);
             }
             const int least = part.records.size() > 60 ? 2 : 8;
@@ -128,11 +144,17 @@ void print_paths(const Part& part) {
                 derivatives_at(r, nodes[k + 1], e);
                 double ceiling = r.feed;
                 for (std::size_t axis = 0; axis < 2; ++axis) {
-                    ceiling = std::min(ceiling, part.velocity / std::max({std::abs(b.first[axis]), std::abs(e.first[axis]), 1e-9}));
+                    ceiling = std::min(ceiling,
+                                       part.velocity / std::max({std::abs(b.first[axis]),
+                                                                 std::abs(e.first[axis]), 1e-9}));
                 }
                 char text[512];
-                std::snprintf(text, sizeof text, "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g %.12g %.12g", nodes[k + 1] - nodes[k], ceiling,
-                              b.first[0], b.second[0], b.third[0], e.first[0], e.second[0], e.third[0], b.first[1], b.second[1], b.third[1], e.first[1], e.second[1], e.third[1]);
+                std::snprintf(
+                    text, sizeof text,
+                    "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g %.12g %.12g",
+                    nodes[k + 1] - nodes[k], ceiling, b.first[0], b.second[0], b.third[0],
+                    e.first[0], e.second[0], e.third[0], b.first[1], b.second[1], b.third[1],
+                    e.first[1], e.second[1], e.third[1]);
                 rows.emplace_back(text);
             }
             before += r.length;
@@ -160,17 +182,23 @@ Driven drive(const Part& part) {
     }
     for (int tick = 1; tick < 1'000'000; ++tick) {
         while (planner->wants_record() && planner->next_record() < part.records.size()) {
-            planner->append(kernel::PlannedRecord::from(part.records[planner->next_record()], false));
+            planner->append(
+                kernel::PlannedRecord::from(part.records[planner->next_record()], false));
         }
         const kernel::PathStep step = planner->tick({});
         SlotVector at{};
         position_at(part.records[step.record], step.s, at);
         for (std::size_t axis = 0; axis < 2; ++axis) {
             double(&q)[4] = p[axis];
-            q[3] = q[2], q[2] = q[1], q[1] = q[0], q[0] = at[axis];
+            q[3] = q[2];
+            q[2] = q[1];
+            q[1] = q[0];
+            q[0] = at[axis];
             driven.worst_v = std::max(driven.worst_v, std::abs(q[0] - q[1]) / kDt / part.velocity);
-            driven.worst_a = std::max(driven.worst_a, std::abs(q[0] - 2 * q[1] + q[2]) / (kDt * kDt) / part.acceleration);
-            driven.worst_j = std::max(driven.worst_j, std::abs(q[0] - 3 * q[1] + 3 * q[2] - q[3]) / (kDt * kDt * kDt) / part.jerk);
+            driven.worst_a = std::max(
+                driven.worst_a, std::abs(q[0] - 2 * q[1] + q[2]) / (kDt * kDt) / part.acceleration);
+            driven.worst_j = std::max(driven.worst_j, std::abs(q[0] - 3 * q[1] + 3 * q[2] - q[3]) /
+                                                          (kDt * kDt * kDt) / part.jerk);
         }
         if (step.ended_to == part.records.size()) {
             driven.seconds = tick * kDt;
@@ -181,9 +209,11 @@ Driven drive(const Part& part) {
 }
 
 void report() {
-    std::printf("%-12s %8s %8s %10s %10s %7s   %s\n", "part", "records", "stops", "planner s", "least s", "ratio", "of the axes' limits: v a j");
+    std::printf("%-12s %8s %8s %10s %10s %7s   %s\n", "part", "records", "stops", "planner s",
+                "least s", "ratio", "of the axes' limits: v a j");
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(kSourceFolder) / "tests/bench/parts")) {
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(kSourceFolder) / "tests/bench/parts")) {
         if (entry.path().extension() == ".part") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
@@ -194,8 +224,9 @@ void report() {
         for (const PathRecord& r : part.records) stops += (r.flags & kExactStop) != 0 ? 1 : 0;
         double least = std::nan("");
         std::ifstream(std::filesystem::path(file).replace_extension(".reference")) >> least;
-        std::printf("%-12s %8zu %8d %10.3f %10.3f %7.3f   %.3f %.3f %.3f\n", file.stem().c_str(), part.records.size(), stops, driven.seconds, least,
-                    driven.seconds / least, driven.worst_v, driven.worst_a, driven.worst_j);
+        std::printf("%-12s %8zu %8d %10.3f %10.3f %7.3f   %.3f %.3f %.3f\n", file.stem().c_str(),
+                    part.records.size(), stops, driven.seconds, least, driven.seconds / least,
+                    driven.worst_v, driven.worst_a, driven.worst_j);
     }
 }
 
@@ -209,7 +240,8 @@ kernel::PlannedRecord record(double length, double v, double a, double j) {
     return r;
 }
 
-// Channels that drive without end; each tick's median would need a clock around it, so the mean of many is shown.
+// Channels that drive without end; each tick's median would need a clock around it, so the mean of
+// many is shown.
 void run(benchmark::State& state, const std::vector<kernel::PlannedRecord>& pattern) {
     const auto count = static_cast<std::size_t>(state.range(0));
     std::vector<std::unique_ptr<kernel::PathPlanner>> planners;
@@ -220,7 +252,8 @@ void run(benchmark::State& state, const std::vector<kernel::PlannedRecord>& patt
     }
     const auto tick = [&] {
         for (auto& planner : planners) {
-            while (planner->wants_record()) planner->append(pattern[planner->next_record() % pattern.size()]);
+            while (planner->wants_record())
+                planner->append(pattern[planner->next_record() % pattern.size()]);
             benchmark::DoNotOptimize(planner->tick({}));
         }
     };
@@ -232,9 +265,15 @@ void long_lines_with_stops(benchmark::State& state) {
     r.stop_after = true;
     run(state, {r});
 }
-void blends_between_lines(benchmark::State& state) { run(state, {record(5, 300, 2000, 50'000), record(0.2, 40, 1000, 20'000)}); }
-void tenths_of_a_millimetre(benchmark::State& state) { run(state, {record(0.1, 300, 2000, 50'000)}); }
-void tenths_with_blends(benchmark::State& state) { run(state, {record(0.08, 300, 2000, 50'000), record(0.02, 270, 1000, 20'000)}); }
+void blends_between_lines(benchmark::State& state) {
+    run(state, {record(5, 300, 2000, 50'000), record(0.2, 40, 1000, 20'000)});
+}
+void tenths_of_a_millimetre(benchmark::State& state) {
+    run(state, {record(0.1, 300, 2000, 50'000)});
+}
+void tenths_with_blends(benchmark::State& state) {
+    run(state, {record(0.08, 300, 2000, 50'000), record(0.02, 270, 1000, 20'000)});
+}
 BENCHMARK(long_lines_with_stops)->Arg(1)->Arg(2)->Arg(16);
 BENCHMARK(blends_between_lines)->Arg(1)->Arg(2)->Arg(16);
 BENCHMARK(tenths_of_a_millimetre)->Arg(1)->Arg(2)->Arg(16);

@@ -1,6 +1,6 @@
-// libs: polyturn_channel_process
-// Program text to records in the ring (issue 2: at least 500 000 blocks/s on one core): language, machine state, blends,
-// ceilings, ring. The kernel's part, taking the records, is played by moving the tail.
+// libs: polyturn_channel_process Program text to records in the ring (issue 2: at least 500 000
+// blocks/s on one core): language, machine state, blends, ceilings, ring. The kernel's part, taking
+// the records, is played by moving the tail.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <string>
 
 #include "channels/language.hpp"
-#include "channels/process/record_sink.hpp"
 #include "channels/process/run_port.hpp"
+#include "channels/records/record_sink.hpp"
 #include "ipc/machine/load_machine.hpp"
 
 namespace polyturn::channels {
@@ -22,7 +22,8 @@ std::string straight_blocks() {
     std::string text = "G21 G98\n";
     char line[64];
     for (int n = 0; n < kBlocks; ++n) {
-        std::snprintf(line, sizeof line, "N%d G1 X%.3f Z%.3f F500.\n", n + 1, 60.0 + (n % 7), -0.001 * n);
+        std::snprintf(line, sizeof line, "N%d G1 X%.3f Z%.3f F500.\n", n + 1, 60.0 + (n % 7),
+                      -0.001 * n);
         text += line;
     }
     return text;
@@ -34,7 +35,8 @@ std::string curve_blocks() {
     char line[64];
     for (int n = 0; n < kBlocks; ++n) {
         const double angle = n * 0.002;
-        std::snprintf(line, sizeof line, "X%.4f Z%.4f\n", 100 + 100 * std::cos(angle), 50 * std::sin(angle) - 60);
+        std::snprintf(line, sizeof line, "X%.4f Z%.4f\n", 100 + 100 * std::cos(angle),
+                      50 * std::sin(angle) - 60);
         text += line;
     }
     return text;
@@ -64,7 +66,8 @@ void push(benchmark::State& state, const std::string& text) {
         Step step = Step::Continue;
         for (int n = 0; step == Step::Continue; ++n) {
             step = language->step();
-            if (n % 256 == 0) kernel->path_tail[0].tail.store(ring.pushed(), std::memory_order_release);
+            if (n % 256 == 0)
+                kernel->path_tail[0].tail.store(ring.pushed(), std::memory_order_release);
         }
         if (step == Step::Failed) {
             state.SkipWithError("the program has an alarm");

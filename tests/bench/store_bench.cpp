@@ -1,6 +1,6 @@
-// libs: polyturn_toolmgmt GTest::gtest
-// The store's figures (issue 6): a T call among 1000 tools under 200 us; an offset change on disk under 10 ms; 10 000 life
-// updates a second; a start with 1000 tools and a million lines of history under 1 s.
+// libs: polyturn_toolmgmt GTest::gtest The store's figures (issue 6): a T call among 1000 tools
+// under 200 us; an offset change on disk under 10 ms; 10 000 life updates a second; a start with
+// 1000 tools and a million lines of history under 1 s.
 #include <benchmark/benchmark.h>
 #include <sqlite3.h>
 
@@ -28,7 +28,8 @@ struct Shop {
     Shop() {
         clear(*values);
         values->parameters = *load_machine_file({}).table;
-        for (const char* line : {"N2900=00000001", "N2902=1000", "PT_TURRET_MAGAZINE L1=0", "N2910=1000", "N2901 L1=00000100"}) {
+        for (const char* line : {"N2900=00000001", "N2902=1000", "PT_TURRET_MAGAZINE L1=0",
+                                 "N2910=1000", "N2901 L1=00000100"}) {
             const auto assignment = params::parse_assignment(line);
             if (assignment) params::apply(values->parameters, {&*assignment, 1}).ok();
         }
@@ -47,7 +48,8 @@ struct Shop {
 };
 
 struct Folder {
-    std::string path = (fs::temp_directory_path() / ("polyturn-bench-" + std::to_string(getpid()))).string();
+    std::string path =
+        (fs::temp_directory_path() / ("polyturn-bench-" + std::to_string(getpid()))).string();
     Folder() { fs::remove_all(path); }
     ~Folder() {
         std::error_code none;
@@ -97,20 +99,24 @@ void BM_Start(benchmark::State& state) {
     {
         Shop shop;
         auto disk = Database::open(folder.path);
-        if (!disk || !disk->commit(shop.changes, "setup")) return state.SkipWithError("the disk refuses");
+        if (!disk || !disk->commit(shop.changes, "setup"))
+            return state.SkipWithError("the disk refuses");
     }
     sqlite3* db = nullptr;
     sqlite3_open((folder.path + "/" + Database::kFile).c_str(), &db);
-    sqlite3_exec(db, "PRAGMA synchronous=OFF; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000000) "
-                     "INSERT INTO history(utc, who, what, old, new) SELECT '2026-01-31T12:34:56.789Z', 'operator', 'L1 offset ' || (i % 32) || ' wear X', '0.01', '0.02' FROM n",
-                 nullptr, nullptr, nullptr);
+    sqlite3_exec(
+        db,
+        "PRAGMA synchronous=OFF; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000000) "
+        "INSERT INTO history(utc, who, what, old, new) SELECT '2026-01-31T12:34:56.789Z', 'operator', 'L1 offset ' || (i % 32) || ' wear X', '0.01', '0.02' FROM n",
+        nullptr, nullptr, nullptr);
     sqlite3_close(db);
     for (auto _ : state) {
         auto disk = Database::open(folder.path);
         auto values = std::make_unique<StoreValues>();
         clear(*values);
         std::vector<Diagnosis> warnings;
-        if (!disk || !disk->read_into(*values, warnings) || !values->tools.rows[999].used) state.SkipWithError("the store is not read");
+        if (!disk || !disk->read_into(*values, warnings) || !values->tools.rows[999].used)
+            state.SkipWithError("the store is not read");
     }
 }
 BENCHMARK(BM_Start)->Unit(benchmark::kMillisecond)->Iterations(5);
@@ -133,8 +139,10 @@ struct Running {
         if (history > 0) {
             sqlite3* db = nullptr;
             sqlite3_open((rig.folder + "/store/" + Database::kFile).c_str(), &db);
-            const std::string fill = "PRAGMA synchronous=OFF; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " + std::to_string(history) +
-                                     ") INSERT INTO history(utc, who, what, old, new) SELECT '2026-01-31T12:34:56.789Z', 'operator', 'L1 offset ' || (i % 32) || ' wear X', '0.01', '0.02' FROM n";
+            const std::string fill =
+                "PRAGMA synchronous=OFF; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " +
+                std::to_string(history) +
+                ") INSERT INTO history(utc, who, what, old, new) SELECT '2026-01-31T12:34:56.789Z', 'operator', 'L1 offset ' || (i % 32) || ' wear X', '0.01', '0.02' FROM n";
             sqlite3_exec(db, fill.c_str(), nullptr, nullptr, nullptr);
             sqlite3_close(db);
         }
@@ -142,8 +150,10 @@ struct Running {
         good = start();
     }
     bool start() {
-        return rig.start({"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001", "--set", "N2902=1000", "--set", "PT_TURRET_MAGAZINE L1=0", "--set", "N2910=1000",
-                          "--set", "N2901 L1=00000100"});
+        return rig.start({"--store", rig.folder + "/store", "--machine", kMachine, "--set",
+                          "N2900=00000001", "--set", "N2902=1000", "--set",
+                          "PT_TURRET_MAGAZINE L1=0", "--set", "N2910=1000", "--set",
+                          "N2901 L1=00000100"});
     }
     std::uint64_t push(StoreRequest request) {
         const auto index = rig.push(request);
@@ -158,7 +168,8 @@ struct Running {
 
 void BM_ToolCallOfTheProcess(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
+    if (!running.good)
+        return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     StoreRequest call{};
     call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall);
     call.channel = 1;
@@ -173,27 +184,35 @@ BENCHMARK(BM_ToolCallOfTheProcess)->Unit(benchmark::kMicrosecond)->UseRealTime()
 // An operator's change: asked, on disk, answered.
 void BM_OffsetOfTheProcess(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
+    if (!running.good)
+        return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     double value = 0;
     for (auto _ : state) {
         value = value > 0.9 ? 0.001 : value + 0.001;
-        const auto answer = running.rig.ask(offset_request(1, 3, OffsetTable::Wear, OffsetField::X, value));
+        const auto answer =
+            running.rig.ask(offset_request(1, 3, OffsetTable::Wear, OffsetField::X, value));
         if (!answer || !answer->ok) return state.SkipWithError("refused");
     }
 }
 BENCHMARK(BM_OffsetOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
 
-// 10 000 life updates: the kernel only writes into its ring; how long until the store has them in its image.
+// 10 000 life updates: the kernel only writes into its ring; how long until the store has them in
+// its image.
 void BM_TenThousandLifeUpdates(benchmark::State& state) {
     Running running;
-    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
+    if (!running.good)
+        return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     StoreRequest use{};
     use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
-    use.field = static_cast<std::int32_t>(LifeKind::Minutes), use.value = 1e-9, use.channel = 1;
+    use.field = static_cast<std::int32_t>(LifeKind::Minutes);
+    use.value = 1e-9;
+    use.channel = 1;
     for (auto _ : state) {
         std::uint64_t last = 0;
         for (int i = 0; i < 10'000; ++i) {
-            while ((*running.rig.kernel)->persist.head.load() - (*running.rig.store)->persist_tail.tail.load() >= 8000) {}
+            while ((*running.rig.kernel)->persist.head.load() -
+                       (*running.rig.store)->persist_tail.tail.load() >=
+                   8000) {}
             use.number = 1 + i % 1000;
             last = running.push(use);
         }
@@ -204,12 +223,15 @@ BENCHMARK(BM_TenThousandLifeUpdates)->Unit(benchmark::kMillisecond)->UseRealTime
 
 void BM_StartOfTheProcess(benchmark::State& state) {
     Running running(1'000'000);
-    if (!running.good) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
+    if (!running.good)
+        return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
     for (auto _ : state) {
         state.PauseTiming();
         running.rig.kill_now();
         state.ResumeTiming();
-        if (!running.start()) return state.SkipWithError(("the store does not start: " + running.rig.messages()).c_str());
+        if (!running.start())
+            return state.SkipWithError(
+                ("the store does not start: " + running.rig.messages()).c_str());
     }
 }
 BENCHMARK(BM_StartOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);

@@ -18,7 +18,7 @@ CUT = "O{0:04d}\nN10 G98 G0 X80. Z20.\n" + "".join(f"N{20 + i} G1 X{80 - i % 3}.
 
 
 def kept_paths(file):
-    """{channel: points} of the piece that the HMI keeps (hmi/screens/kept_paths.cpp): z, x, flags; None while there is none."""
+    """{channel: points} of the piece that the HMI keeps (hmi/screens/graphics/kept_paths.cpp): z, x, flags; None while there is none."""
     try:
         data = zlib.decompress(file.read_bytes()[4:])
     except (OSError, zlib.error):

@@ -1,4 +1,5 @@
-// One change of a file as file_recorder.cpp writes it down: this head, the path, the bytes (of Rename: the new name).
+// One change of a file as file_recorder.cpp writes it down: this head, the path, the bytes (of
+// Rename: the new name).
 #pragma once
 #include <cstdint>
 
@@ -8,8 +9,8 @@ struct FileRecord {
     enum Kind : std::uint32_t { Create, Write, Truncate, Sync, Unlink, Rename };
     Kind kind;
     std::uint32_t path_size;
-    std::uint64_t at;      // Write: offset; Truncate: size
-    std::uint64_t size;    // of the bytes behind the path
+    std::uint64_t at;    // Write: offset; Truncate: size
+    std::uint64_t size;  // of the bytes behind the path
 };
 
 }  // namespace polyturn::test

@@ -1,6 +1,7 @@
-// Preloaded into a process (LD_PRELOAD): writes down in which order it changes files below POLYTURN_RECORD_ROOT and when it asks for
-// them to be on the disk, into the file POLYTURN_RECORD. POLYTURN_RECORD_KILL=n kills the process instead of its n-th fsync,
-// POLYTURN_RECORD_KILL_WRITE=n instead of its n-th write.
+// Preloaded into a process (LD_PRELOAD): writes down in which order it changes files below
+// POLYTURN_RECORD_ROOT and when it asks for them to be on the disk, into the file POLYTURN_RECORD.
+// POLYTURN_RECORD_KILL=n kills the process instead of its n-th fsync, POLYTURN_RECORD_KILL_WRITE=n
+// instead of its n-th write.
 // Read by store_power_test.cpp, which makes of it every state that a power cut could leave.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -36,10 +37,13 @@ std::string path_of(int fd) {
     return size > 0 ? std::string(path, static_cast<std::size_t>(size)) : std::string();
 }
 
-void note(FileRecord::Kind kind, const std::string& path, std::uint64_t at = 0, const void* data = nullptr, std::size_t size = 0) {
+void note(FileRecord::Kind kind, const std::string& path, std::uint64_t at = 0,
+          const void* data = nullptr, std::size_t size = 0) {
     static const int log = [] {
         const char* file = getenv("POLYTURN_RECORD");
-        return file ? static_cast<int>(syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) : -1;
+        return file ? static_cast<int>(syscall(SYS_openat, AT_FDCWD, file,
+                                               O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600))
+                    : -1;
     }();
     if (log < 0 || !watched(path)) return;
     FileRecord head{kind, static_cast<std::uint32_t>(path.size()), at, size};
@@ -50,7 +54,9 @@ void note(FileRecord::Kind kind, const std::string& path, std::uint64_t at = 0, 
 }
 
 template <class F>
-F real(const char* name) { return reinterpret_cast<F>(dlsym(RTLD_NEXT, name)); }
+F real(const char* name) {
+    return reinterpret_cast<F>(dlsym(RTLD_NEXT, name));
+}
 
 struct Fuse {
     explicit Fuse(const char* name) : chosen(getenv(name)), left(chosen ? atoi(chosen) : 0) {}
@@ -103,21 +109,27 @@ ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
     static const auto call = real<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
     kill_at_write(fd);
     const ssize_t done = call(fd, data, size, at);
-    if (done > 0) note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data, static_cast<std::size_t>(done));
+    if (done > 0)
+        note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data,
+             static_cast<std::size_t>(done));
     return done;
 }
 ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
     static const auto call = real<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
     kill_at_write(fd);
     const ssize_t done = call(fd, data, size, at);
-    if (done > 0) note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data, static_cast<std::size_t>(done));
+    if (done > 0)
+        note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data,
+             static_cast<std::size_t>(done));
     return done;
 }
 ssize_t write(int fd, const void* data, size_t size) {
     static const auto call = real<ssize_t (*)(int, const void*, size_t)>("write");
     const off_t at = lseek(fd, 0, SEEK_CUR);
     const ssize_t done = call(fd, data, size);
-    if (done > 0 && at >= 0) note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data, static_cast<std::size_t>(done));
+    if (done > 0 && at >= 0)
+        note(FileRecord::Write, path_of(fd), static_cast<std::uint64_t>(at), data,
+             static_cast<std::size_t>(done));
     return done;
 }
 int fsync(int fd) {

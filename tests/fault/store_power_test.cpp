@@ -1,6 +1,7 @@
-// Power cuts: what was acknowledged is in every state that the disk could be left in. The judge shares nothing with the store but
-// SQLite's reader: file_recorder.cpp writes down what the real process does to its files, this plays it on disks that keep of what no
-// fsync has covered nothing, all or any part of it, by sectors.
+// Power cuts: what was acknowledged is in every state that the disk could be left in. The judge
+// shares nothing with the store but SQLite's reader: file_recorder.cpp writes down what the real
+// process does to its files, this plays it on disks that keep of what no fsync has covered nothing,
+// all or any part of it, by sectors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,13 +37,28 @@ public:
         const std::string folder = fs::path(path).parent_path();
         switch (head.kind) {
             case FileRecord::Create:
-                if (!now_.contains(path)) now_[path] = fresh(), pending_.push_back({folder, FileRecord::Create, path, {}, now_[path]});
+                if (!now_.contains(path)) {
+                    now_[path] = fresh();
+                    pending_.push_back({folder, FileRecord::Create, path, {}, now_[path]});
+                }
                 return;
-            case FileRecord::Write: file(path).open.push_back({false, head.at, bytes}); return;
-            case FileRecord::Truncate: file(path).open.push_back({true, head.at, {}}); return;
-            case FileRecord::Unlink: now_.erase(path), pending_.push_back({folder, FileRecord::Unlink, path, {}, 0}); return;
-            case FileRecord::Rename: now_[bytes] = now_[path], now_.erase(path), pending_.push_back({folder, FileRecord::Rename, path, bytes, 0}); return;
-            case FileRecord::Sync: break;
+            case FileRecord::Write:
+                file(path).open.push_back({false, head.at, bytes});
+                return;
+            case FileRecord::Truncate:
+                file(path).open.push_back({true, head.at, {}});
+                return;
+            case FileRecord::Unlink:
+                now_.erase(path);
+                pending_.push_back({folder, FileRecord::Unlink, path, {}, 0});
+                return;
+            case FileRecord::Rename:
+                now_[bytes] = now_[path];
+                now_.erase(path);
+                pending_.push_back({folder, FileRecord::Rename, path, bytes, 0});
+                return;
+            case FileRecord::Sync:
+                break;
         }
         if (now_.contains(path)) {
             File& one = file(path);
@@ -50,14 +66,15 @@ public:
             one.open.clear();
             return;
         }
-        for (const Name& name : pending_)   // a folder: its names
+        for (const Name& name : pending_)  // a folder: its names
             if (name.folder == path) apply(names_, name);
         std::erase_if(pending_, [&](const Name& name) { return name.folder == path; });
     }
     // What a power cut leaves; `keeps`: of what is open, out of 100.
-    void leave(const std::string& root, const std::string& into, unsigned keeps, std::mt19937& random) const {
+    void leave(const std::string& root, const std::string& into, unsigned keeps,
+               std::mt19937& random) const {
         auto names = names_;
-        for (const Name& name : pending_) {   // names come in order
+        for (const Name& name : pending_) {  // names come in order
             if (random() % 100 >= keeps) break;
             apply(names, name);
         }
@@ -70,7 +87,8 @@ public:
                     continue;
                 }
                 for (std::size_t at = 0; at < change.bytes.size(); at += 512)
-                    if (random() % 100 < keeps) apply(content, {false, change.at + at, change.bytes.substr(at, 512)});
+                    if (random() % 100 < keeps)
+                        apply(content, {false, change.at + at, change.bytes.substr(at, 512)});
             }
             const fs::path to = into + path.substr(root.size());
             fs::create_directories(to.parent_path());
@@ -94,29 +112,42 @@ private:
         std::string path, to;
         int id;
     };
-    int fresh() { return files_[++last_], last_; }
+    int fresh() {
+        files_[++last_];
+        return last_;
+    }
     File& file(const std::string& path) {
-        if (!now_.contains(path)) now_[path] = fresh(), names_[path] = now_[path];   // was there before the record began
+        // was there before the record began
+        if (!now_.contains(path)) {
+            now_[path] = fresh();
+            names_[path] = now_[path];
+        }
         return files_[now_[path]];
     }
     static void apply(std::string& content, const Change& change) {
         if (change.cut) return content.resize(change.at);
-        if (content.size() < change.at + change.bytes.size()) content.resize(change.at + change.bytes.size());
+        if (content.size() < change.at + change.bytes.size())
+            content.resize(change.at + change.bytes.size());
         content.replace(change.at, change.bytes.size(), change.bytes);
     }
     static void apply(std::map<std::string, int>& names, const Name& name) {
-        if (name.kind == FileRecord::Create) names[name.path] = name.id;
-        else if (name.kind == FileRecord::Unlink) names.erase(name.path);
-        else if (const auto at = names.find(name.path); at != names.end()) names[name.to] = at->second, names.erase(name.path);
+        if (name.kind == FileRecord::Create)
+            names[name.path] = name.id;
+        else if (name.kind == FileRecord::Unlink)
+            names.erase(name.path);
+        else if (const auto at = names.find(name.path); at != names.end()) {
+            names[name.to] = at->second;
+            names.erase(name.path);
+        }
     }
-    std::map<std::string, int> now_, names_;   // as processes see them; on the disk
+    std::map<std::string, int> now_, names_;  // as processes see them; on the disk
     std::map<int, File> files_;
     std::vector<Name> pending_;
     int last_ = 0;
 };
 
 struct Promise {
-    std::uint64_t moment;      // length of the record when the answer was there
+    std::uint64_t moment;  // length of the record when the answer was there
     int offset;
     double value;
 };
@@ -130,9 +161,13 @@ protected:
         setenv("POLYTURN_RECORD", record.c_str(), 1);
         setenv("POLYTURN_RECORD_ROOT", (rig.folder + "/store").c_str(), 1);
         if (kill_at > 0) setenv("POLYTURN_RECORD_KILL", std::to_string(kill_at).c_str(), 1);
-        if (kill_at_write > 0) setenv("POLYTURN_RECORD_KILL_WRITE", std::to_string(kill_at_write).c_str(), 1);
+        if (kill_at_write > 0)
+            setenv("POLYTURN_RECORD_KILL_WRITE", std::to_string(kill_at_write).c_str(), 1);
         const bool good = rig.start({"--store", rig.folder + "/store", "--machine", kMachine});
-        for (const char* name : {"LD_PRELOAD", "POLYTURN_RECORD", "POLYTURN_RECORD_ROOT", "POLYTURN_RECORD_KILL", "POLYTURN_RECORD_KILL_WRITE", "ASAN_OPTIONS"}) unsetenv(name);
+        for (const char* name :
+             {"LD_PRELOAD", "POLYTURN_RECORD", "POLYTURN_RECORD_ROOT", "POLYTURN_RECORD_KILL",
+              "POLYTURN_RECORD_KILL_WRITE", "ASAN_OPTIONS"})
+            unsetenv(name);
         return good;
     }
     std::uint64_t recorded() const {
@@ -141,11 +176,15 @@ protected:
         return none ? 0 : size;
     }
     std::uint64_t ask(int offset, double value) {
-        const std::string text = Json{{"do", "offsets.set"}, {"channel", 1}, {"number", offset}, {"table", "geometry"}, {"field", "X"}, {"value", value}}.dump();
+        const std::string text = Json{{"do", "offsets.set"}, {"channel", 1}, {"number", offset},
+                                      {"table", "geometry"}, {"field", "X"}, {"value", value}}
+                                     .dump();
         constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
         std::uint64_t last = 0;
         for (std::size_t at = 0; at < text.size(); at += kPiece) {
-            StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < text.size() ? kMoreFollows : 0, 0);
+            StoreRequest request =
+                store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at),
+                              at + kPiece < text.size() ? kMoreFollows : 0, 0);
             request.level = static_cast<std::uint32_t>(UserLevel::Maker);
             put_name(request, std::string_view(text).substr(at, kPiece));
             last = rig.send(request);
@@ -181,17 +220,25 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
     for (int round = 0; round < 24; ++round) {
         SCOPED_TRACE("round " + std::to_string(round));
         rig.kill_now();
-        if (!(round % 2 ? start(1 + static_cast<int>(random() % 24)) : start(0, 1 + static_cast<int>(random() % 60)))) {   // killed while it started
+        // killed while it started
+        if (!(round % 2 ? start(1 + static_cast<int>(random() % 24))
+                        : start(0, 1 + static_cast<int>(random() % 60)))) {
             ASSERT_TRUE(start(0)) << rig.messages();
         }
         std::uint64_t id = 0;
         int offset = 0;
         const auto take = [&](const Json& told) {
-            if (told.value("ok", false)) promises.push_back({recorded(), offset, value}), repeated += told.value("repeated", false);
-            else EXPECT_EQ(told.value("number", ""), "PT0335") << told.dump(), ++refused;
+            if (told.value("ok", false)) {
+                promises.push_back({recorded(), offset, value});
+                repeated += told.value("repeated", false);
+            } else {
+                EXPECT_EQ(told.value("number", ""), "PT0335") << told.dump();
+                ++refused;
+            }
         };
         for (int i = 0; i < 8 && !rig.ended(); ++i) {
-            offset = 1 + static_cast<int>(random() % 20), value += 0.001;
+            offset = 1 + static_cast<int>(random() % 20);
+            value += 0.001;
             id = ask(offset, value);
             const auto told = answer(id);
             if (!told) break;
@@ -199,7 +246,7 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
             id = 0;
         }
         if (id == 0) continue;
-        ASSERT_TRUE(start(0)) << rig.messages();   // answers what its predecessor left
+        ASSERT_TRUE(start(0)) << rig.messages();  // answers what its predecessor left
         const auto told = answer(id);
         ASSERT_TRUE(told) << "the request was lost with its reader";
         take(*told);
@@ -225,11 +272,13 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
         while (at + sizeof(FileRecord) <= all.size() && at < moment) {
             FileRecord head{};
             std::memcpy(&head, all.data() + at, sizeof head);
-            disk.play(head, all.substr(at + sizeof head, head.path_size), all.substr(at + sizeof head + head.path_size, head.size));
+            disk.play(head, all.substr(at + sizeof head, head.path_size),
+                      all.substr(at + sizeof head + head.path_size, head.size));
             at += sizeof head + head.path_size + head.size;
         }
         std::map<int, double> known;
-        for (next = 0; next < promises.size() && promises[next].moment <= moment; ++next) known[promises[next].offset] = promises[next].value;
+        for (next = 0; next < promises.size() && promises[next].moment <= moment; ++next)
+            known[promises[next].offset] = promises[next].value;
         for (const unsigned keeps : {0u, 50u, 95u}) {
             fs::remove_all(copy);
             disk.leave(root, copy, keeps, random);
@@ -241,11 +290,16 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
             ASSERT_TRUE(store->read_into(*values, warnings));
             ++states;
             for (const auto& [offset, promised] : known)
-                if (values->channels[0].offsets[static_cast<std::size_t>(offset)].geometry[0] < promised) ++lost;
-            if (store->condition().unfit && ++alarms == 1) ADD_FAILURE() << "false alarm: " << store->condition().unfit->text() << ", keeps " << keeps;
+                if (values->channels[0].offsets[static_cast<std::size_t>(offset)].geometry[0] <
+                    promised)
+                    ++lost;
+            if (store->condition().unfit && ++alarms == 1)
+                ADD_FAILURE() << "false alarm: " << store->condition().unfit->text() << ", keeps "
+                              << keeps;
         }
     }
-    EXPECT_EQ(lost, 0) << "of " << promises.size() << " acknowledged values in " << states << " states";
+    EXPECT_EQ(lost, 0) << "of " << promises.size() << " acknowledged values in " << states
+                       << " states";
     EXPECT_EQ(alarms, 0) << "of " << states << " states";
     RecordProperty("states", static_cast<int>(states));
 }

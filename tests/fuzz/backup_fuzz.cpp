@@ -1,6 +1,6 @@
-// libs: polyturn_toolmgmt
-// A backup from anywhere: any bytes, a good one with spoilt places, a good one that carries files of any name and content. It is read or
-// refused with what is wrong; what it brings is written below the machine's folder and nowhere else.
+// libs: polyturn_toolmgmt A backup from anywhere: any bytes, a good one with spoilt places, a good
+// one that carries files of any name and content. It is read or refused with what is wrong; what it
+// brings is written below the machine's folder and nowhere else.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,20 +28,24 @@ struct Sandbox {
     fs::path top, machine, file;
     std::string good;
     std::optional<Database> disk;
-    std::unique_ptr<StoreValues> now = std::make_unique<StoreValues>(), wanted = std::make_unique<StoreValues>();
+    std::unique_ptr<StoreValues> now = std::make_unique<StoreValues>(),
+                                 wanted = std::make_unique<StoreValues>();
 
     Sandbox() {
         const fs::path root = fs::exists("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
         top = root / ("backup-fuzz-" + std::to_string(getpid()));
         fs::remove_all(top);
-        machine = top / "machine", file = top / "backup.ptb";
+        machine = top / "machine";
+        file = top / "backup.ptb";
         fs::create_directories(top / "outside");
         clear(*now);
         now->parameters = *load_machine_file({}).table;
         auto opened = Database::open((top / "store").string());
         if (!opened) std::abort();
         disk.emplace(std::move(*opened));
-        if (!disk->backup(file.string(), {{"machine/machine.params", "x", "N1600 L1=2\n"}, {"program/a.nc", "x", "M30\n"}})) std::abort();
+        if (!disk->backup(file.string(), {{"machine/machine.params", "x", "N1600 L1=2\n"},
+                                          {"program/a.nc", "x", "M30\n"}}))
+            std::abort();
         std::ifstream in(file, std::ios::binary);
         good.assign(std::istreambuf_iterator<char>(in), {});
         fresh();
@@ -53,12 +57,15 @@ struct Sandbox {
         fs::create_directory_symlink(top / "outside", machine / "link");
         fs::create_symlink(top / "outside" / "x", machine / "file.params");
     }
-    void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
+    void put(const std::string& bytes) const {
+        std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+    }
     void nothing_outside() const {
         if (!fs::is_empty(top / "outside")) std::abort();
         for (const auto& entry : fs::directory_iterator(top)) {
             const std::string name = entry.path().filename().string();
-            if (name != "machine" && name != "outside" && name != "store" && name != "backup.ptb") std::abort();
+            if (name != "machine" && name != "outside" && name != "store" && name != "backup.ptb")
+                std::abort();
         }
     }
     void restore() {
@@ -100,10 +107,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         case 0:
             place.put(std::string(rest));
             break;
-        case 1: {   // places of a good one: where (three bytes) and what
+        case 1: {  // places of a good one: where (three bytes) and what
             std::string bytes = place.good;
             for (std::size_t i = 0; i + 4 <= rest.size(); i += 4) {
-                const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(rest[i + k]); };
+                const auto byte = [&](std::size_t k) {
+                    return static_cast<unsigned char>(rest[i + k]);
+                };
                 const std::size_t at = (byte(0) << 16 | byte(1) << 8 | byte(2)) % bytes.size();
                 bytes[at] = rest[i + 3];
             }
@@ -111,12 +120,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             place.put(bytes);
             break;
         }
-        default: {   // files: a name up to a newline, the content up to two of them
+        default: {  // files: a name up to a newline, the content up to two of them
             std::vector<Database::File> files;
             for (std::size_t at = 0; at < rest.size() && files.size() < 8;) {
-                const std::size_t end = std::min(rest.find('\n', at), rest.size()), next = std::min(rest.find("\n\n", end), rest.size());
+                const std::size_t end = std::min(rest.find('\n', at), rest.size()),
+                                  next = std::min(rest.find("\n\n", end), rest.size());
                 const std::string name(rest.substr(at, end - at));
-                files.push_back({(data[0] & 64 ? "machine/" : data[0] & 128 ? "program/" : "") + name, "/", std::string(rest.substr(std::min(end + 1, rest.size()), next > end ? next - end - 1 : 0))});
+                files.push_back({(data[0] & 64    ? "machine/"
+                                  : data[0] & 128 ? "program/"
+                                                  : "") +
+                                     name,
+                                 "/",
+                                 std::string(rest.substr(std::min(end + 1, rest.size()),
+                                                         next > end ? next - end - 1 : 0))});
                 at = next + 2;
             }
             if (!place.disk->backup(place.file.string(), files)) return 0;

@@ -19,7 +19,7 @@ public:
     }
     std::string number(double value) {
         std::string text = std::to_string(value);
-        text.resize(text.size() - 3);   // three decimals
+        text.resize(text.size() - 3);  // three decimals
         return text;
     }
     std::string word(char letter) { return letter + number(length()); }

@@ -1,5 +1,5 @@
-// libs: polyturn_channels
-// Any text as a fagor program; the first byte chooses live values and how often the reader goes back.
+// libs: polyturn_channels Any text as a fagor program; the first byte chooses live values and how
+// often the reader goes back.
 #include "tests/fuzz/play_text.hpp"
 
 using namespace polyturn;
@@ -13,6 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         params::put(t, params::fg_angantr, 30, 1);
     });
     if (size == 0) return 0;
-    fuzz::play(fuzz::behind_first(data, size), *table, {Dialect::Fagor, (data[0] & 1) != 0, data[0] / 2u}, make_fagor, [](Language&) {});
+    fuzz::play(fuzz::behind_first(data, size), *table,
+               {Dialect::Fagor, (data[0] & 1) != 0, data[0] / 2u}, make_fagor, [](Language&) {});
     return 0;
 }

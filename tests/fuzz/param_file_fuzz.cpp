@@ -1,6 +1,6 @@
-// libs: polyturn_params
-// Whatever is read as a parameter file ends in assignments and diagnoses; what was accepted is written out and read in again.
-// The tables are made once: each run puts back the rows that it touched, so that a run costs what its text costs.
+// libs: polyturn_params Whatever is read as a parameter file ends in assignments and diagnoses;
+// what was accepted is written out and read in again. The tables are made once: each run puts back
+// the rows that it touched, so that a run costs what its text costs.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -18,8 +18,10 @@ namespace {
 using namespace polyturn::params;
 
 bool same_row(const Row& row, const Table& a, const Table& b) {
-    for (std::size_t i = row.first_slot; i < row.first_slot + std::size_t{instances(row.scope)} * row.array; ++i)
-        if (row.type == Type::Text ? text_at(a, i) != text_at(b, i) : a.numbers[i] != b.numbers[i]) return false;
+    for (std::size_t i = row.first_slot;
+         i < row.first_slot + std::size_t{instances(row.scope)} * row.array; ++i)
+        if (row.type == Type::Text ? text_at(a, i) != text_at(b, i) : a.numbers[i] != b.numbers[i])
+            return false;
     return true;
 }
 
@@ -41,7 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         (void)polyturn::render(diagnosis, polyturn::Dialect::Polyturn, text.substr(0, 200));
     }
     if (file.assignments.empty()) return 0;
-    if (!polyturn::params::apply(*table, file.assignments).ok()) std::abort();  // parsed means valid
+    // parsed means valid
+    if (!polyturn::params::apply(*table, file.assignments).ok()) std::abort();
     std::set<const Row*> touched;
     for (const Assignment& one : file.assignments) touched.insert(one.row);
     std::string lines;
@@ -49,9 +52,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!lines.empty() && !apply(*again, parse_param_file(lines, "export")).ok()) std::abort();
     for (const Row* row : touched)
         if (!same_row(*row, *table, *again)) std::abort();
-    const bool whole = ++runs % 4096 == 0;   // now and then: nothing else was touched
+    const bool whole = ++runs % 4096 == 0;  // now and then: nothing else was touched
     if (whole && !same(*table, *again)) std::abort();
-    for (const Row* row : touched) set_default(*table, *row), set_default(*again, *row);
+    for (const Row* row : touched) {
+        set_default(*table, *row);
+        set_default(*again, *row);
+    }
     if (whole && !same(*table, *untouched)) std::abort();
     return 0;
 }

@@ -1,5 +1,6 @@
-// Any text as a program of a language, on a small lathe with X, Z and C: it ends, fails with an alarm, or is stopped after as
-// many blocks as a loop may take; every event it causes can be written, and earlier blocks can be gone back to.
+// Any text as a program of a language, on a small lathe with X, Z and C: it ends, fails with an
+// alarm, or is stopped after as many blocks as a loop may take; every event it causes can be
+// written, and earlier blocks can be gone back to.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -37,13 +38,15 @@ std::unique_ptr<params::Table> lathe(More more) {
 
 struct How {
     Dialect dialect;
-    bool live_values;          // answers of the port that only a machine could give
-    unsigned back_every;       // after so many steps back by one block; 0: never
+    bool live_values;     // answers of the port that only a machine could give
+    unsigned back_every;  // after so many steps back by one block; 0: never
 };
 
-// make(view, sink, port, files) yields the interpreter; prepare(interpreter) enters what an operator would have.
+// make(view, sink, port, files) yields the interpreter; prepare(interpreter) enters what an
+// operator would have.
 template <class Make, class Prepare>
-void play(std::string_view text, const params::Table& table, const How& how, Make make, Prepare prepare) {
+void play(std::string_view text, const params::Table& table, const How& how, Make make,
+          Prepare prepare) {
     MachineView view = make_machine_view(table, 1);
     view.store->offsets[1].geometry_r = 0.8;
     view.store->offsets[1].tip = 3;
@@ -60,13 +63,18 @@ void play(std::string_view text, const params::Table& table, const How& how, Mak
     (void)interpreter->start(*main).ok();
     for (unsigned steps = 1; steps < 2000; ++steps) {
         const Step step = interpreter->step();
-        if (step == Step::AtBarrier) interpreter->barrier_done();
-        else if (step != Step::Continue) break;
-        if (how.back_every && steps % how.back_every == 0 && interpreter->core().at.serial > 2) (void)interpreter->resume_at(interpreter->core().at.serial - 1);
+        if (step == Step::AtBarrier)
+            interpreter->barrier_done();
+        else if (step != Step::Continue)
+            break;
+        if (how.back_every && steps % how.back_every == 0 && interpreter->core().at.serial > 2)
+            (void)interpreter->resume_at(interpreter->core().at.serial - 1);
         if (events.size() > 1u << 20) events.clear();
     }
 }
 
-inline std::string_view behind_first(const std::uint8_t* data, std::size_t size) { return {reinterpret_cast<const char*>(data) + 1, size - 1}; }
+inline std::string_view behind_first(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data) + 1, size - 1};
+}
 
 }  // namespace polyturn::channels::fuzz

@@ -1,5 +1,5 @@
-// libs: polyturn_channels
-// Any text as a fanuc, nct or mefi program; the first byte chooses language, live values and steps back.
+// libs: polyturn_channels Any text as a fanuc, nct or mefi program; the first byte chooses
+// language, live values and steps back.
 #include "tests/fuzz/play_text.hpp"
 
 using namespace polyturn;
@@ -13,7 +13,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const unsigned choice = data[0] % 3;
     const char* const name = choice == 0 ? "fanuc" : choice == 1 ? "nct" : "mefi";
-    fuzz::play(fuzz::behind_first(data, size), *table, {dialect_of(name), (data[0] & 64) != 0, data[0] & 128 ? 7u : 0u},
-               [&](auto& view, auto& sink, auto& port, auto& files) { return make_language(name, view, sink, port, files); }, [](Language&) {});
+    fuzz::play(
+        fuzz::behind_first(data, size), *table,
+        {dialect_of(name), (data[0] & 64) != 0, data[0] & 128 ? 7u : 0u},
+        [&](auto& view, auto& sink, auto& port, auto& files) {
+            return make_language(name, view, sink, port, files);
+        },
+        [](Language&) {});
     return 0;
 }

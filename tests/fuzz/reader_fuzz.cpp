@@ -1,5 +1,5 @@
-// libs: polyturn_channels
-// Any bytes as a program text: lines and words, or a diagnosis; never a crash, never an endless loop.
+// libs: polyturn_channels Any bytes as a program text: lines and words, or a diagnosis; never a
+// crash, never an endless loop.
 #include <cstddef>
 #include <cstdint>
 
@@ -28,9 +28,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string_view line;
     while (source.next(line) == LineSource::Status::Line) {
         std::size_t from = 0;
-        while (scanner.scan(line, from, block) == ScanStop::EndOfBlock && scanner.stopped_at() > from) from = scanner.stopped_at();
+        while (scanner.scan(line, from, block) == ScanStop::EndOfBlock &&
+               scanner.stopped_at() > from)
+            from = scanner.stopped_at();
         for (unsigned k = 0; k < block.count; ++k)
-            if (block.words[k].column == 0 || block.words[k].column + block.words[k].length > line.size() + 1) __builtin_trap();
+            if (block.words[k].column == 0 ||
+                block.words[k].column + block.words[k].length > line.size() + 1)
+                __builtin_trap();
     }
     return 0;
 }

@@ -1,12 +1,12 @@
-// libs: polyturn_kernel
-// A channel's process may write anything into its segment: any bytes as a record, any head, any transformation. No axis leaves its limits, no
-// memory is harmed, a tick stays a tick.
+// libs: polyturn_kernel A channel's process may write anything into its segment: any bytes as a
+// record, any head, any transformation. No axis leaves its limits, no memory is harmed, a tick
+// stays a tick.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 
-#include "kernel/cyclic/machine.hpp"
+#include "kernel/tick/machine.hpp"
 
 namespace {
 using namespace polyturn;
@@ -19,7 +19,7 @@ struct Bytes {
     const std::uint8_t* end;
     bool empty() const { return at == end; }
     std::uint8_t one() { return at == end ? 0 : *at++; }
-    void take(void* to, std::size_t size) {   // zeros when they are used up
+    void take(void* to, std::size_t size) {  // zeros when they are used up
         const std::size_t n = std::min(size, static_cast<std::size_t>(end - at));
         std::memcpy(to, at, n);
         at += n;
@@ -37,7 +37,8 @@ struct Rig {
     Rig() {
         params::Table& t = store->parameters.draft();
         params::set_defaults(t);
-        for (unsigned l = 1; l <= kMaxChannels; ++l) params::put(t, params::n0000_machine_group, l == 1 ? 1 : 0, l);
+        for (unsigned l = 1; l <= kMaxChannels; ++l)
+            params::put(t, params::n0000_machine_group, l == 1 ? 1 : 0, l);
         for (unsigned a = 1; a <= 2; ++a) {
             params::put(t, params::n0002_axis_assign, 1, a);
             params::put(t, params::n0304_rapid, kVelocity * 60, a);
@@ -62,9 +63,14 @@ struct Rig {
         supervisor->log_tail.tail.store(image->log.head.load());
         channel->event_tail.tail.store(image->events[0].head.load());
         for (unsigned a = 0; a < 2; ++a) {
-            const double now = machine->core().axes[a].command(), speed = (now - p[a]) / 0.001, acceleration = (speed - v[a]) / 0.001;
-            if (!(std::fabs(now) <= kFarthest + 1e-6) || !(std::fabs(speed) <= kVelocity * 1.02 + 0.01) || !(std::fabs(acceleration) <= 10'000 * 1.02)) std::abort();
-            p[a] = now, v[a] = speed;
+            const double now = machine->core().axes[a].command(), speed = (now - p[a]) / 0.001,
+                         acceleration = (speed - v[a]) / 0.001;
+            if (!(std::fabs(now) <= kFarthest + 1e-6) ||
+                !(std::fabs(speed) <= kVelocity * 1.02 + 0.01) ||
+                !(std::fabs(acceleration) <= 10'000 * 1.02))
+                std::abort();
+            p[a] = now;
+            v[a] = speed;
         }
     }
     PathRecord good(std::uint8_t x, std::uint8_t z) {
@@ -73,10 +79,16 @@ struct Rig {
         r.flags = kBlockBegin | kBlockEnd;
         r.axis_count = 2;
         const double by[2] = {(x - 127.5) / 8, (z - 127.5) / 8};
-        for (unsigned i = 0; i < 2; ++i) r.axis[i] = static_cast<std::uint8_t>(i), r.start[i] = at[i], r.end[i] = at[i] += by[i];
+        for (unsigned i = 0; i < 2; ++i) {
+            r.axis[i] = static_cast<std::uint8_t>(i);
+            r.start[i] = at[i];
+            r.end[i] = at[i] += by[i];
+        }
         r.length = std::hypot(by[0], by[1]);
         const double most = std::fmax(std::fabs(by[0]), std::fabs(by[1])) / r.length;
-        r.v_max = kVelocity / most, r.a_max = kAcceleration / most, r.j_max = kJerk / most;
+        r.v_max = kVelocity / most;
+        r.a_max = kAcceleration / most;
+        r.j_max = kJerk / most;
         r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
         r.feed = 100;
         return r;
@@ -92,8 +104,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::uint8_t what = bytes.one();
         PathRecord& slot = ring.slot(ring.head.load());
         switch (what % 8) {
-            case 0: bytes.take(&slot, sizeof slot), ring.head.fetch_add(1); break;
-            case 1: {   // good, but for a few bytes
+            case 0:
+                bytes.take(&slot, sizeof slot);
+                ring.head.fetch_add(1);
+                break;
+            case 1: {  // good, but for a few bytes
                 slot = rig->good(bytes.one(), bytes.one());
                 for (unsigned n = what / 8 % 4; n > 0; --n) {
                     const unsigned place = bytes.one() | unsigned{bytes.one()} << 8;
@@ -102,12 +117,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 ring.head.fetch_add(1);
                 break;
             }
-            case 2: {   // good, but for one number
+            case 2: {  // good, but for one number
                 slot = rig->good(bytes.one(), bytes.one());
                 double number = 0;
                 const unsigned place = bytes.one();
                 bytes.take(&number, sizeof number);
-                std::memcpy(reinterpret_cast<std::uint8_t*>(&slot) + 64 + 8 * (place % ((sizeof slot - 64) / 8)), &number, sizeof number);
+                std::memcpy(reinterpret_cast<std::uint8_t*>(&slot) + 64 +
+                                8 * (place % ((sizeof slot - 64) / 8)),
+                            &number, sizeof number);
                 ring.head.fetch_add(1);
                 break;
             }
@@ -117,8 +134,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 ring.head.store(what & 128 ? head : ring.head.load() + head);
                 break;
             }
-            case 4: bytes.take(&rig->channel->kinematics[what / 8 % kKinematics], sizeof(Kinematics)); break;
-            case 5: bytes.take(&ring.slot(ring.head.load() - 1 - what / 8), sizeof(PathRecord)); break;   // one that was sent already
+            case 4:
+                bytes.take(&rig->channel->kinematics[what / 8 % kKinematics], sizeof(Kinematics));
+                break;
+            // one that was sent already
+            case 5:
+                bytes.take(&ring.slot(ring.head.load() - 1 - what / 8), sizeof(PathRecord));
+                break;
             default:
                 for (unsigned n = 1u << (what / 8 % 6); n > 0; --n) rig->tick();
         }

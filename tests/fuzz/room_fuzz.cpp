@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ipc/machine/apply_setup.hpp"
-#include "ipc/machine/room.hpp"
+#include "ipc/machine/bodies/room.hpp"
+#include "ipc/machine/store/apply_setup.hpp"
 
 namespace {
 
@@ -36,12 +36,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<polyturn::Diagnosis> diagnoses;
     const polyturn::Room room = polyturn::parse_room(text, "fuzz.toml", two_channels(), diagnoses);
     for (const auto& [number, place] : room.axes)
-        if (!two_channels().axis(number).exists() || !std::isfinite(place.direction.x)) std::abort();
+        if (!two_channels().axis(number).exists() || !std::isfinite(place.direction.x))
+            std::abort();
     const polyturn::text::Setup setup = polyturn::text::parse_setup(text, "fuzz.toml", diagnoses);
     static polyturn::ChannelStore store;
     polyturn::clear_channel_store(store);
     for (const auto& [number, channel] : setup.channels)
-        if (number >= 1 && number <= 2) polyturn::apply_setup(setup, two_channels(), number, store, diagnoses);
+        if (number >= 1 && number <= 2)
+            polyturn::apply_setup(setup, two_channels(), number, store, diagnoses);
     if (store.offsets[0].geometry[0] != 0.0) std::abort();
     for (const auto& diagnosis : diagnoses)
         if (diagnosis.text().empty() || diagnosis.remedy().empty()) std::abort();

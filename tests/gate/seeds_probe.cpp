@@ -1,4 +1,5 @@
-// A program of tests whose one random test holds for its fixed seed alone: gate_test.py looks whether that is found and told.
+// A program of tests whose one random test holds for its fixed seed alone: gate_test.py looks
+// whether that is found and told.
 #include <gtest/gtest.h>
 
 #include "tests/property.hpp"

@@ -18,8 +18,13 @@ Json note_alarms(const Json& request, Work& work) {
     std::vector<Database::AlarmEvent> alarms;
     if (const auto events = request.find("events"); events != request.end() && events->is_array())
         for (const Json& one : *events)
-            if (std::string text = one.dump(-1, ' ', false, Json::error_handler_t::replace); one.is_object() && text.size() <= kLongestEvent) alarms.push_back({0, read_text(one, "utc"), std::move(text)});
-    if (alarms.empty()) return work.fault(Alarm::StoreRequestBad, "events is missing", 0, "events"), Json();
+            if (std::string text = one.dump(-1, ' ', false, Json::error_handler_t::replace);
+                one.is_object() && text.size() <= kLongestEvent)
+                alarms.push_back({0, read_text(one, "utc"), std::move(text)});
+    if (alarms.empty()) {
+        work.fault(Alarm::StoreRequestBad, "events is missing", 0, "events");
+        return Json();
+    }
     if (const auto done = work.disk->note_alarms(alarms); !done) work.fault(done.diagnosis());
     return Json::object();
 }
@@ -27,14 +32,24 @@ Json note_alarms(const Json& request, Work& work) {
 }  // namespace
 
 Json alarm_operation(std::string_view what, const Json& request, Work& work) {
-    if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
+    if (!work.disk) {
+        work.fault(Alarm::StoreRequestBad, "this controller keeps no history");
+        return Json();
+    }
     if (what == "note") return note_alarms(request, work);
-    if (what != "list") return work.fault(Alarm::StoreRequestBad, "alarms." + std::string(what)), Json();
+    if (what != "list") {
+        work.fault(Alarm::StoreRequestBad, "alarms." + std::string(what));
+        return Json();
+    }
     std::int64_t most = 200, before = 0;
     read_whole(request, "most", most, work, false);
     read_whole(request, "before_id", before, work, false);
-    const auto alarms = work.disk->alarms(read_text(request, "before_utc"), before, std::clamp<std::int64_t>(most, 1, 1000));
-    if (!alarms) return work.fault(alarms.diagnosis()), Json();
+    const auto alarms = work.disk->alarms(read_text(request, "before_utc"), before,
+                                          std::clamp<std::int64_t>(most, 1, 1000));
+    if (!alarms) {
+        work.fault(alarms.diagnosis());
+        return Json();
+    }
     Json out = Json::array();
     for (const Database::AlarmEvent& one : *alarms) {
         Json event = Json::parse(one.event, nullptr, false);

@@ -1,5 +1,7 @@
 #include "toolmgmt/operations/backup_files.hpp"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -8,10 +10,8 @@
 #include <memory>
 #include <set>
 
-#include <toml++/toml.h>
-
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/errors/compensation_tables.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/replace_file.hpp"
@@ -35,12 +35,16 @@ bool read_bytes(const fs::path& path, std::string& out) {
 
 void add_tree(const fs::path& root, const std::string& prefix, std::vector<Database::File>& files) {
     std::error_code none;
-    for (fs::recursive_directory_iterator at(root, fs::directory_options::skip_permission_denied, none), end; !none && at != end; at.increment(none)) {
+    for (fs::recursive_directory_iterator
+             at(root, fs::directory_options::skip_permission_denied, none),
+         end;
+         !none && at != end; at.increment(none)) {
         if (at->path().filename().string().front() == '.') {
             if (at->is_directory(none)) at.disable_recursion_pending();
             continue;
         }
-        Database::File file{prefix + fs::relative(at->path(), root, none).string(), at->path().string(), {}};
+        Database::File file{
+            prefix + fs::relative(at->path(), root, none).string(), at->path().string(), {}};
         if (read_bytes(at->path(), file.bytes)) files.push_back(std::move(file));
     }
 }
@@ -52,7 +56,8 @@ void add_open_programs(const std::string& instance, std::vector<Database::File>&
     for (std::size_t channel = 1; channel <= kMaxChannels; ++channel) {
         const auto segment = PeerSegment<ChannelSegment>::attach(instance, channel);
         if (!segment || !(*segment)->programs.read(*names)) continue;
-        for (std::size_t i = 0; i < std::min<std::size_t>(names->count, names->name.size() / kNameBytes); ++i) {
+        for (std::size_t i = 0;
+             i < std::min<std::size_t>(names->count, names->name.size() / kNameBytes); ++i) {
             const char* text = names->name.data() + i * kNameBytes;
             const std::string path(text, ::strnlen(text, kNameBytes));
             if (!path.empty() && seen.insert(path).second) add_programs(path, files);
@@ -62,7 +67,8 @@ void add_open_programs(const std::string& instance, std::vector<Database::File>&
 
 }  // namespace
 
-std::vector<Database::File> collect_files(const std::string& machine_folder, const std::string& instance) {
+std::vector<Database::File> collect_files(const std::string& machine_folder,
+                                          const std::string& instance) {
     std::vector<Database::File> files;
     if (!machine_folder.empty()) add_tree(machine_folder, "machine/", files);
     if (!instance.empty()) add_open_programs(instance, files);
@@ -72,7 +78,10 @@ std::vector<Database::File> collect_files(const std::string& machine_folder, con
 bool add_programs(const std::string& path, std::vector<Database::File>& files) {
     std::error_code none;
     const fs::path whole = fs::absolute(path, none);
-    if (fs::is_directory(whole, none)) return add_tree(whole, "program/", files), true;
+    if (fs::is_directory(whole, none)) {
+        add_tree(whole, "program/", files);
+        return true;
+    }
     Database::File file{"program/" + whole.filename().string(), whole.string(), {}};
     if (!read_bytes(whole, file.bytes)) return false;
     files.push_back(std::move(file));
@@ -87,7 +96,9 @@ bool plain(std::string_view path) {
     for (std::size_t at = 0; at <= path.size();) {
         const std::size_t end = std::min(path.find('/', at), path.size());
         const std::string_view part = path.substr(at, end - at);
-        if (part.empty() || part.front() == '.' || part.size() > 200 || part.find('\\') != std::string_view::npos) return false;
+        if (part.empty() || part.front() == '.' || part.size() > 200 ||
+            part.find('\\') != std::string_view::npos)
+            return false;
         for (const char c : part)
             if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return false;
         at = end + 1;
@@ -95,10 +106,16 @@ bool plain(std::string_view path) {
     return true;
 }
 
-bool ends_with(std::string_view text, std::string_view end) { return text.size() >= end.size() && text.substr(text.size() - end.size()) == end; }
+bool ends_with(std::string_view text, std::string_view end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
 
 bool is_native(std::string_view name, std::string_view bytes) {
-    return bytes.substr(0, 4) == "\x7f" "ELF" || bytes.substr(0, 2) == "MZ" || bytes.substr(0, 2) == "#!" || ends_with(name, ".so") || name.find(".so.") != std::string_view::npos;
+    return bytes.substr(0, 4) ==
+               "\x7f"
+               "ELF" ||
+           bytes.substr(0, 2) == "MZ" || bytes.substr(0, 2) == "#!" || ends_with(name, ".so") ||
+           name.find(".so.") != std::string_view::npos;
 }
 
 // The reader of TOML goes one level down for each part of a dotted key and each bracket.
@@ -123,9 +140,7 @@ std::string refusal_of(std::string_view name, const std::string& bytes) {
         if (too_deep(bytes)) return "nested too deeply";
         try {
             (void)toml::parse(bytes, name);
-        } catch (const toml::parse_error& wrong) {
-            return std::string(wrong.description());
-        }
+        } catch (const toml::parse_error& wrong) { return std::string(wrong.description()); }
     } else if (ends_with(name, ".compensation")) {
         std::vector<Diagnosis> all;
         (void)parse_compensation(bytes, name, all);
@@ -138,7 +153,12 @@ std::string refusal_of(std::string_view name, const std::string& bytes) {
 }  // namespace
 
 Result<RestoredFile> judge_file(const Database::File& file, const RestoreTo& to) {
-    const auto foreign = [&](const std::string& why) { return Diagnosis{Alarm::BackupForeign, {}, {}, file.name.substr(0, 200) + (why.empty() ? "" : " (" + why + ")")}; };
+    const auto foreign = [&](const std::string& why) {
+        return Diagnosis{Alarm::BackupForeign,
+                         {},
+                         {},
+                         file.name.substr(0, 200) + (why.empty() ? "" : " (" + why + ")")};
+    };
     constexpr std::string_view kMachine = "machine/", kProgram = "program/";
     const bool machine = file.name.rfind(kMachine, 0) == 0;
     if (!machine && file.name.rfind(kProgram, 0) != 0) return foreign("");
@@ -148,9 +168,12 @@ Result<RestoredFile> judge_file(const Database::File& file, const RestoreTo& to)
     if (const std::string why = refusal_of(relative, file.bytes); !why.empty()) return foreign(why);
     RestoredFile out;
     std::error_code none;
-    out.base = to.machine_folder.empty() ? (fs::path(to.store_folder) / "restored").string() : fs::weakly_canonical(to.machine_folder, none).string();
-    if (to.machine_folder.empty()) out.target = out.base + "/" + file.name;
-    else out.target = out.base + (machine ? "/" : "/programs/") + relative;
+    out.base = to.machine_folder.empty() ? (fs::path(to.store_folder) / "restored").string()
+                                         : fs::weakly_canonical(to.machine_folder, none).string();
+    if (to.machine_folder.empty())
+        out.target = out.base + "/" + file.name;
+    else
+        out.target = out.base + (machine ? "/" : "/programs/") + relative;
     out.native = is_native(relative, file.bytes);
     return out;
 }
@@ -161,7 +184,10 @@ bool differs_from_disk(const Database::File& file, const std::string& target) {
 }
 
 Result<void> put_file(const RestoredFile& file, const std::string& bytes) {
-    const auto link = [&](const fs::path& path) { return Diagnosis{Alarm::BackupForeign, {}, {}, file.target + " (" + path.string() + " is a link)"}; };
+    const auto link = [&](const fs::path& path) {
+        return Diagnosis{
+            Alarm::BackupForeign, {}, {}, file.target + " (" + path.string() + " is a link)"};
+    };
     std::error_code wrong;
     fs::create_directories(file.base, wrong);
     fs::path at = file.base;
@@ -171,14 +197,19 @@ Result<void> put_file(const RestoredFile& file, const std::string& bytes) {
         const fs::file_status status = fs::symlink_status(at, wrong);
         if (fs::is_symlink(status)) return link(at);
         const bool last = std::next(part) == way.end();
-        if (!last && !fs::exists(status) && !fs::create_directory(at, wrong)) return Diagnosis{Alarm::OutputFile, {}, {}, at.string() + " (" + wrong.message() + ")"};
-        if (last && fs::exists(status) && !fs::is_regular_file(status)) return Diagnosis{Alarm::FileKind, {}, {}, at.string()};
+        if (!last && !fs::exists(status) && !fs::create_directory(at, wrong))
+            return Diagnosis{Alarm::OutputFile, {}, {}, at.string() + " (" + wrong.message() + ")"};
+        if (last && fs::exists(status) && !fs::is_regular_file(status))
+            return Diagnosis{Alarm::FileKind, {}, {}, at.string()};
     }
-    if (fs::is_symlink(fs::symlink_status(file.target + ".new", wrong))) return link(file.target + ".new");
+    if (fs::is_symlink(fs::symlink_status(file.target + ".new", wrong)))
+        return link(file.target + ".new");
     return text::replace_file(file.target, bytes);
 }
 
-Result<std::string> make_automatic_backup(Database& disk, const std::string& store_folder, const std::vector<Database::File>& files, std::size_t keep) {
+Result<std::string> make_automatic_backup(Database& disk, const std::string& store_folder,
+                                          const std::vector<Database::File>& files,
+                                          std::size_t keep) {
     const fs::path folder = fs::path(store_folder) / "backups";
     std::error_code none;
     fs::create_directories(folder, none);
@@ -186,7 +217,9 @@ Result<std::string> make_automatic_backup(Database& disk, const std::string& sto
     if (const Result<void> made = disk.backup(file, files); !made) return made.diagnosis();
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder, none))
-        if (entry.path().filename().string().rfind("auto-", 0) == 0 && entry.path().extension() == ".ptb") old.push_back(entry.path());
+        if (entry.path().filename().string().rfind("auto-", 0) == 0 &&
+            entry.path().extension() == ".ptb")
+            old.push_back(entry.path());
     std::sort(old.begin(), old.end());
     for (std::size_t i = 0; i + keep < old.size(); ++i) fs::remove(old[i], none);
     return file;
@@ -198,7 +231,9 @@ Result<std::string> newest_good_backup(const std::string& store_folder) {
     for (const auto& entry : fs::directory_iterator(fs::path(store_folder) / "backups", none))
         if (entry.path().extension() == ".ptb") all.push_back(entry.path());
     // By the time of writing: hand-made ones have names of their own.
-    std::sort(all.begin(), all.end(), [&](const fs::path& a, const fs::path& b) { return fs::last_write_time(a, none) > fs::last_write_time(b, none); });
+    std::sort(all.begin(), all.end(), [&](const fs::path& a, const fs::path& b) {
+        return fs::last_write_time(a, none) > fs::last_write_time(b, none);
+    });
     for (const fs::path& one : all) {
         auto values = std::make_unique<StoreValues>();
         clear(*values);

@@ -1,5 +1,6 @@
-// Measured errors that an operator enters or imports: cells of pitch and straightness tables, points of a grid (nct_parameters_part2 26 to
-// 28). They are kept in the machine's own file; the kernel takes it when all axes rest.
+// Measured errors that an operator enters or imports: cells of pitch and straightness tables,
+// points of a grid (nct_parameters_part2 26 to 28). They are kept in the machine's own file; the
+// kernel takes it when all axes rest.
 //
 //   {"do":"compensation.set","cells":[[10500,0.0012]],"points":[[1,17,0,0.001]]}   points: channel, point, component 0 to 2, value
 //   {"do":"compensation.set","cells":[[10500,{"delta":0.001}]]}                     on top of what the file has; also with "expected"
@@ -9,11 +10,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
-#include "ipc/machine/compensation_cells.hpp"
-#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/errors/compensation_cells.hpp"
+#include "ipc/machine/errors/compensation_tables.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/replace_file.hpp"
 #include "toolmgmt/cell_requests.hpp"
@@ -23,10 +24,12 @@ namespace polyturn::toolmgmt {
 namespace {
 
 constexpr double kLargestValue = static_cast<double>(std::numeric_limits<float>::max());
-using PointKey = std::tuple<unsigned, std::int64_t, unsigned>;   // channel, number, component
+using PointKey = std::tuple<unsigned, std::int64_t, unsigned>;  // channel, number, component
 
-// A row of numbers, so many of them; whole but for the last one, which is a value, or an entry: {"delta":0.001}.
-bool read_row(const Json& row, std::size_t count, std::vector<double>& out, Work& work, const char* column) {
+// A row of numbers, so many of them; whole but for the last one, which is a value, or an entry:
+// {"delta":0.001}.
+bool read_row(const Json& row, std::size_t count, std::vector<double>& out, Work& work,
+              const char* column) {
     out.clear();
     bool good = row.is_array() && row.size() == count;
     for (std::size_t i = 0; good && i < count; ++i) {
@@ -36,9 +39,11 @@ bool read_row(const Json& row, std::size_t count, std::vector<double>& out, Work
         }
         good = row[i].is_number();
         if (good) out.push_back(row[i].get<double>());
-        good = good && (i + 1 == count ? std::abs(out[i]) <= kLargestValue : out[i] == std::trunc(out[i]) && std::abs(out[i]) < 1e9);
+        good = good && (i + 1 == count ? std::abs(out[i]) <= kLargestValue
+                                       : out[i] == std::trunc(out[i]) && std::abs(out[i]) < 1e9);
     }
-    if (!good) work.fault(Alarm::StoreRequestBad, std::string(column) + ": not a number", 0, column);
+    if (!good)
+        work.fault(Alarm::StoreRequestBad, std::string(column) + ": not a number", 0, column);
     return good;
 }
 
@@ -55,18 +60,21 @@ double written(float value) {
 class Present {
 public:
     explicit Present(std::string_view content) {
-        std::vector<Diagnosis> ignored;   // lines that cannot be read stay as they are
+        std::vector<Diagnosis> ignored;  // lines that cannot be read stay as they are
         tables_ = parse_compensation(content, {}, ignored);
     }
     double cell(std::int64_t number) const {
         const auto found = cells_.find(number);
-        return found != cells_.end() ? found->second : written(static_cast<float>(tables_.cell(number)));
+        return found != cells_.end() ? found->second
+                                     : written(static_cast<float>(tables_.cell(number)));
     }
     double point(const PointKey& key) const {
         if (const auto found = points_.find(key); found != points_.end()) return found->second;
         const auto& [channel, number, component] = key;
         const auto& all = tables_.points[channel - 1];
-        const float value = static_cast<std::size_t>(number) < all.size() ? all[static_cast<std::size_t>(number)][component] : 0.0F;
+        const float value = static_cast<std::size_t>(number) < all.size()
+                                ? all[static_cast<std::size_t>(number)][component]
+                                : 0.0F;
         return std::isnan(value) ? 0.0 : written(value);
     }
     void enter(std::int64_t number, double value) { cells_[number] = value; }
@@ -79,25 +87,40 @@ private:
 };
 
 // The value of a row's last element; an entry is on top of `present`.
-bool read_value(const Json& last, double present, const std::string& what, double& out, Work& work) {
-    if (!last.is_object()) return out = last.get<double>(), true;
+bool read_value(const Json& last, double present, const std::string& what, double& out,
+                Work& work) {
+    if (!last.is_object()) {
+        out = last.get<double>();
+        return true;
+    }
     if (!read_entry(last, present, what, out, work)) return false;
     if (std::abs(out) <= kLargestValue) return true;
-    return work.fault(Alarm::StoreRequestBad, what + ": not a number"), false;
+    work.fault(Alarm::StoreRequestBad, what + ": not a number");
+    return false;
 }
 
-Json told_of(const std::string& what, double before, double value) { return {{"what", what}, {"old", before}, {"new", written(static_cast<float>(value))}}; }
+Json told_of(const std::string& what, double before, double value) {
+    return {{"what", what}, {"old", before}, {"new", written(static_cast<float>(value))}};
+}
 
-void wrong_table(Work& work, std::string detail, const char* column) { work.fault(Diagnosis{Alarm::CompensationTable, {}, {}, std::move(detail)}, 0, column); }
+void wrong_table(Work& work, std::string detail, const char* column) {
+    work.fault(Diagnosis{Alarm::CompensationTable, {}, {}, std::move(detail)}, 0, column);
+}
 
 Json set_cells(const Json& request, Work& work) {
     std::vector<CellEntry> cells;
     std::vector<PointEntry> points;
     std::vector<double> row;
     const Json none = Json::array();
-    if (work.compensation_file.empty()) return wrong_table(work, "the machine has no folder for it", ""), Json();
+    if (work.compensation_file.empty()) {
+        wrong_table(work, "the machine has no folder for it", "");
+        return Json();
+    }
     const Result<std::string> content = read_compensation(work.compensation_file);
-    if (!content) return work.fault(content.diagnosis()), Json();
+    if (!content) {
+        work.fault(content.diagnosis());
+        return Json();
+    }
     Present present(*content);
     Json entries = Json::array();
     for (const Json& one : request.contains("cells") ? request["cells"] : none) {
@@ -112,61 +135,92 @@ Json set_cells(const Json& request, Work& work) {
         double value = 0;
         if (!read_value(one[1], before, what, value, work)) continue;
         cells.push_back({number, static_cast<float>(value)});
-        present.enter(number, value), entries.push_back(told_of(what, before, value));
+        present.enter(number, value);
+        entries.push_back(told_of(what, before, value));
     }
     for (const Json& one : request.contains("points") ? request["points"] : none) {
         if (!read_row(one, 4, row, work, "points")) continue;
-        const auto channel = static_cast<std::int64_t>(row[0]), number = static_cast<std::int64_t>(row[1]), component = static_cast<std::int64_t>(row[2]);
-        if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists()) {
-            work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist", 0, "points");
+        const auto channel = static_cast<std::int64_t>(row[0]),
+                   number = static_cast<std::int64_t>(row[1]),
+                   component = static_cast<std::int64_t>(row[2]);
+        if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) ||
+            !work.machine.channel(static_cast<std::size_t>(channel)).exists()) {
+            work.fault(Alarm::StoreRequestBad,
+                       "channel L" + std::to_string(channel) + " does not exist", 0, "points");
             continue;
         }
-        const CompensationGrid grid = compensation_grid(work.values.parameters, static_cast<unsigned>(channel));
+        const CompensationGrid grid =
+            compensation_grid(work.values.parameters, static_cast<unsigned>(channel));
         const std::string where = "L" + std::to_string(channel) + ": ";
-        if (number < 0 || number >= grid.points() || component < 0 || component > 2 || grid.axis[static_cast<std::size_t>(component)] == 0) {
+        if (number < 0 || number >= grid.points() || component < 0 || component > 2 ||
+            grid.axis[static_cast<std::size_t>(component)] == 0) {
             wrong_table(work, where + "the grid has no point " + std::to_string(number), "points");
             continue;
         }
-        const PointKey key{static_cast<unsigned>(channel), number, static_cast<unsigned>(component)};
-        const std::string what = where + "point " + std::to_string(number) + " " + std::to_string(component);
+        const PointKey key{static_cast<unsigned>(channel), number,
+                           static_cast<unsigned>(component)};
+        const std::string what =
+            where + "point " + std::to_string(number) + " " + std::to_string(component);
         const double before = present.point(key);
         double value = 0;
         if (!read_value(one[3], before, what, value, work)) continue;
         if (number == grid.number(grid.zero) && value != 0) {
-            wrong_table(work, where + "point " + std::to_string(number) + " is machine zero and must be 0 0 0", "points");
+            wrong_table(
+                work,
+                where + "point " + std::to_string(number) + " is machine zero and must be 0 0 0",
+                "points");
             continue;
         }
         points.push_back({std::get<0>(key), number, std::get<2>(key), static_cast<float>(value)});
-        present.enter(key, value), entries.push_back(told_of(what, before, value));
+        present.enter(key, value);
+        entries.push_back(told_of(what, before, value));
     }
-    if (work.good() && cells.empty() && points.empty()) work.fault(Alarm::StoreRequestBad, "cells is missing", 0, "cells");
+    if (work.good() && cells.empty() && points.empty())
+        work.fault(Alarm::StoreRequestBad, "cells is missing", 0, "cells");
     if (!work.good()) return {};
     std::string text = with_cells(*content, work.values.parameters, cells, points, Gaps::Filled);
     Json answer = {{"cells", cells.size() + points.size()}, {"entries", std::move(entries)}};
-    // Kept nevertheless: of a table that repeats, both ends have to change, one after the other. The kernel goes on with what it has until
-    // the table is right.
+    // Kept nevertheless: of a table that repeats, both ends have to change, one after the other.
+    // The kernel goes on with what it has until the table is right.
     std::vector<Diagnosis> faults;
-    check_compensation_tables(work.values.parameters, parse_compensation(text, {}, faults), {}, faults);
+    check_compensation_tables(work.values.parameters, parse_compensation(text, {}, faults), {},
+                              faults);
     if (!faults.empty()) {
         const Json told = Json::parse(answer_text({}, {Fault{faults.front(), 0, {}}}));
-        answer["warning"] = told["text"], answer["warning_number"] = told["number"];
+        answer["warning"] = told["text"];
+        answer["warning_number"] = told["number"];
     }
-    work.after.push_back([path = work.compensation_file, text = std::move(text)] { return text::replace_file(path, text); });
+    work.after.push_back([path = work.compensation_file, text = std::move(text)] {
+        return text::replace_file(path, text);
+    });
     return answer;
 }
 
 Json import_cells(const Json& request, Work& work) {
     const std::string file = read_text(request, "file");
-    if (file.empty()) return work.fault(Alarm::StoreRequestBad, "file is missing", 0, "file"), Json();
-    if (work.compensation_file.empty()) return wrong_table(work, "the machine has no folder for it", ""), Json();
+    if (file.empty()) {
+        work.fault(Alarm::StoreRequestBad, "file is missing", 0, "file");
+        return Json();
+    }
+    if (work.compensation_file.empty()) {
+        wrong_table(work, "the machine has no folder for it", "");
+        return Json();
+    }
     Result<std::string> text = text::read_text_file(file);
-    if (!text) return work.fault(text.diagnosis()), Json();
+    if (!text) {
+        work.fault(text.diagnosis());
+        return Json();
+    }
     std::vector<Diagnosis> faults;
-    check_compensation_tables(work.values.parameters, parse_compensation(*text, file, faults), file, faults);
+    check_compensation_tables(work.values.parameters, parse_compensation(*text, file, faults), file,
+                              faults);
     constexpr std::size_t kMostFaults = 20;
-    for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i) work.fault(faults[i], static_cast<int>(faults[i].place.line));
+    for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i)
+        work.fault(faults[i], static_cast<int>(faults[i].place.line));
     if (!work.good()) return {};
-    work.after.push_back([path = work.compensation_file, text = std::move(*text)] { return text::replace_file(path, text); });
+    work.after.push_back([path = work.compensation_file, text = std::move(*text)] {
+        return text::replace_file(path, text);
+    });
     return {{"file", work.compensation_file}};
 }
 
@@ -175,7 +229,8 @@ Json import_cells(const Json& request, Work& work) {
 Json compensation_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "set") return set_cells(request, work);
     if (what == "import") return import_cells(request, work);
-    return work.fault(Alarm::StoreRequestBad, "compensation." + std::string(what)), Json();
+    work.fault(Alarm::StoreRequestBad, "compensation." + std::string(what));
+    return Json();
 }
 
 }  // namespace polyturn::toolmgmt

@@ -4,34 +4,56 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "ipc/diagnosis/tongue.hpp"
+#include "ipc/diagnosis/display_language.hpp"
 #include "ipc/machine/shortest_text.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {
 
 struct Row {
-    const char* what;             // "tools.set", or "tools." for the rest of its family
+    const char* what;  // "tools.set", or "tools." for the rest of its family
     UserLevel least;
     Json (*act)(std::string_view, const Json&, Work&);
 };
 // The first row that fits says who may.
 constexpr Row kRows[] = {
-    {"tools.list", UserLevel::None, tool_operation},       {"tools.show", UserLevel::None, tool_operation},    {"tools.places", UserLevel::None, tool_operation},
-    {"tools.answers", UserLevel::None, tool_operation},    {"tools.fields", UserLevel::None, tool_operation},
-    {"tools.export", UserLevel::None, table_operation},    {"tools.import", UserLevel::Setter, table_operation},
-    {"tools.load", UserLevel::Operator, tool_operation},   {"tools.unload", UserLevel::Operator, tool_operation}, {"tools.move", UserLevel::Operator, tool_operation},
-    {"tools.", UserLevel::Setter, tool_operation},         {"life.report", UserLevel::None, life_operation},   {"life.reset", UserLevel::Operator, life_operation},
-    {"life.", UserLevel::Setter, life_operation},          {"offsets.list", UserLevel::None, offset_operation}, {"offsets.history", UserLevel::None, offset_operation},
-    {"offsets.", UserLevel::Operator, offset_operation},   {"history.", UserLevel::None, offset_operation},    {"parts.list", UserLevel::None, part_operation},
-    {"zeros.list", UserLevel::None, zero_operation},        {"zeros.", UserLevel::Setter, zero_operation},
-    {"parts.measure", UserLevel::Operator, part_operation}, {"parts.accept", UserLevel::Operator, part_operation}, {"parts.", UserLevel::Setter, part_operation},
-    {"users.login", UserLevel::None, user_operation},      {"users.password", UserLevel::None, user_operation}, {"users.", UserLevel::Maker, user_operation},
+    {"tools.list", UserLevel::None, tool_operation},
+    {"tools.show", UserLevel::None, tool_operation},
+    {"tools.places", UserLevel::None, tool_operation},
+    {"tools.answers", UserLevel::None, tool_operation},
+    {"tools.fields", UserLevel::None, tool_operation},
+    {"tools.export", UserLevel::None, table_operation},
+    {"tools.import", UserLevel::Setter, table_operation},
+    {"tools.load", UserLevel::Operator, tool_operation},
+    {"tools.unload", UserLevel::Operator, tool_operation},
+    {"tools.move", UserLevel::Operator, tool_operation},
+    {"tools.", UserLevel::Setter, tool_operation},
+    {"life.report", UserLevel::None, life_operation},
+    {"life.reset", UserLevel::Operator, life_operation},
+    {"life.", UserLevel::Setter, life_operation},
+    {"offsets.list", UserLevel::None, offset_operation},
+    {"offsets.history", UserLevel::None, offset_operation},
+    {"offsets.", UserLevel::Operator, offset_operation},
+    {"history.", UserLevel::None, offset_operation},
+    {"parts.list", UserLevel::None, part_operation},
+    {"zeros.list", UserLevel::None, zero_operation},
+    {"zeros.", UserLevel::Setter, zero_operation},
+    {"parts.measure", UserLevel::Operator, part_operation},
+    {"parts.accept", UserLevel::Operator, part_operation},
+    {"parts.", UserLevel::Setter, part_operation},
+    {"users.login", UserLevel::None, user_operation},
+    {"users.password", UserLevel::None, user_operation},
+    {"users.", UserLevel::Maker, user_operation},
     {"parameters.", UserLevel::None, parameter_operation},
-    {"pallets.list", UserLevel::None, pallet_operation},   {"pallets.", UserLevel::Operator, pallet_operation}, {"backup.", UserLevel::Setter, backup_operation},
+    {"pallets.list", UserLevel::None, pallet_operation},
+    {"pallets.", UserLevel::Operator, pallet_operation},
+    {"backup.", UserLevel::Setter, backup_operation},
     {"compensation.", UserLevel::Maker, compensation_operation},
-    {"restore.", UserLevel::Maker, backup_operation},      {"store.state", UserLevel::None, store_operation},  {"store.", UserLevel::Maker, store_operation},
-         {"stops.", UserLevel::None, stop_operation},          {"alarms.", UserLevel::None, alarm_operation},
+    {"restore.", UserLevel::Maker, backup_operation},
+    {"store.state", UserLevel::None, store_operation},
+    {"store.", UserLevel::Maker, store_operation},
+    {"stops.", UserLevel::None, stop_operation},
+    {"alarms.", UserLevel::None, alarm_operation},
 };
 
 constexpr const char* kLevelNames[] = {"none", "operator", "setter", "maker"};
@@ -44,7 +66,8 @@ Json run_operation(const Json& request, Work& work) {
         const std::string_view name = row.what;
         if (name.back() == '.' ? what.rfind(name, 0) != 0 : what != name) continue;
         if (work.caller.level < row.least) {
-            work.fault(Alarm::LevelTooLow, what + " (" + kLevelNames[static_cast<std::size_t>(row.least)] + ")");
+            work.fault(Alarm::LevelTooLow,
+                       what + " (" + kLevelNames[static_cast<std::size_t>(row.least)] + ")");
             return Json::object();
         }
         return row.act(std::string_view(what).substr(what.find('.') + 1), request, work);
@@ -62,13 +85,16 @@ std::string answer_text(const Json& answer, const std::vector<Fault>& faults) {
         for (const Fault& fault : faults) {
             Json one;
             one["number"] = std::string(alarm_number(fault.diagnosis.alarm, Dialect::Polyturn));
-            one["text"] = text_in(fault.diagnosis, tongue_now());
-            one["remedy"] = std::string(alarm_text(fault.diagnosis.alarm, tongue_now()).remedy);
+            one["text"] = text_in(fault.diagnosis, display_language_now());
+            one["remedy"] =
+                std::string(alarm_text(fault.diagnosis.alarm, display_language_now()).remedy);
             if (fault.row > 0) one["row"] = fault.row;
             if (!fault.column.empty()) one["column"] = fault.column;
             list.push_back(std::move(one));
         }
-        out["number"] = list[0]["number"], out["text"] = list[0]["text"], out["remedy"] = list[0]["remedy"];
+        out["number"] = list[0]["number"];
+        out["text"] = list[0]["text"];
+        out["remedy"] = list[0]["remedy"];
         out["faults"] = std::move(list);
     }
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -77,7 +103,9 @@ std::string answer_text(const Json& answer, const std::vector<Fault>& faults) {
 std::string read_text(const Json& request, const char* key) {
     const auto at = request.find(key);
     if (at == request.end()) return {};
-    return at->is_string() ? at->get<std::string>() : at->is_number() || at->is_boolean() ? at->dump() : std::string();
+    return at->is_string()                       ? at->get<std::string>()
+           : at->is_number() || at->is_boolean() ? at->dump()
+                                                 : std::string();
 }
 
 bool read_real(const Json& request, const char* key, double& out, Work& work, bool needed) {
@@ -88,13 +116,23 @@ bool read_real(const Json& request, const char* key, double& out, Work& work, bo
     }
     if (at->is_number()) {
         const double value = at->get<double>();
-        if (std::isfinite(value)) return out = value, true;
+        if (std::isfinite(value)) {
+            out = value;
+            return true;
+        }
     }
     const std::string text = at->is_string() ? at->get<std::string>() : std::string();
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(value)) return out = value, true;
-    work.fault(Alarm::StoreRequestBad, std::string(key) + "=" + (at->is_string() ? text.substr(0, 60) : std::string(at->type_name())) + ": not a number", 0, key);
+    if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(value)) {
+        out = value;
+        return true;
+    }
+    work.fault(Alarm::StoreRequestBad,
+               std::string(key) + "=" +
+                   (at->is_string() ? text.substr(0, 60) : std::string(at->type_name())) +
+                   ": not a number",
+               0, key);
     return false;
 }
 
@@ -103,14 +141,20 @@ bool as_expected(const Json& request, double present, const std::string& what, W
     if (!request.contains("expected")) return true;
     if (!read_real(request, "expected", expected, work)) return false;
     if (std::abs(expected - present) <= 5e-7) return true;
-    work.fault(Alarm::StoreRequestBad, what + " is " + shortest_text(present) + " by now, not " + shortest_text(expected), 0, "expected");
+    work.fault(Alarm::StoreRequestBad,
+               what + " is " + shortest_text(present) + " by now, not " + shortest_text(expected),
+               0, "expected");
     return false;
 }
 
-bool read_entry(const Json& request, double present, const std::string& what, double& out, Work& work) {
+bool read_entry(const Json& request, double present, const std::string& what, double& out,
+                Work& work) {
     if (!as_expected(request, present, what, work)) return false;
     const bool delta = request.contains("delta");
-    if (delta && request.contains("value")) return work.fault(Alarm::RequestBad, "value or delta, not both", 0, "delta"), false;
+    if (delta && request.contains("value")) {
+        work.fault(Alarm::RequestBad, "value or delta, not both", 0, "delta");
+        return false;
+    }
     const bool added = read_flag(request, "incremental", work) || delta;
     if (!work.good() || !read_real(request, delta ? "delta" : "value", out, work)) return false;
     if (added) out = std::round((present + out) * 1e9) / 1e9;
@@ -134,18 +178,32 @@ Json read_object(const Json& request, const char* key, Work& work) {
 }
 
 Result<Json> parse_request(std::string_view text) {
-    if (text.size() > kLargestRequest) return Diagnosis{Alarm::RequestTooMany, {}, {}, "a request of " + std::to_string(text.size()) + " characters, at most " + std::to_string(kLargestRequest)};
+    if (text.size() > kLargestRequest)
+        return Diagnosis{Alarm::RequestTooMany,
+                         {},
+                         {},
+                         "a request of " + std::to_string(text.size()) + " characters, at most " +
+                             std::to_string(kLargestRequest)};
     int depth = 0;
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (quoted && c == '\\') ++i;
-        else if (c == '"') quoted = !quoted;
-        else if (!quoted && (c == '{' || c == '[') && ++depth > kDeepestRequest) return Diagnosis{Alarm::TextTooDeep, {}, {}, "a request of more than " + std::to_string(kDeepestRequest) + " levels"};
-        else if (!quoted && (c == '}' || c == ']')) --depth;
+        if (quoted && c == '\\')
+            ++i;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '{' || c == '[') && ++depth > kDeepestRequest)
+            return Diagnosis{
+                Alarm::TextTooDeep,
+                {},
+                {},
+                "a request of more than " + std::to_string(kDeepestRequest) + " levels"};
+        else if (!quoted && (c == '}' || c == ']'))
+            --depth;
     }
     Json out = Json::parse(text, nullptr, false);
-    if (out.is_discarded() || !out.is_object()) return Diagnosis{Alarm::StoreRequestBad, {}, {}, "not a JSON object"};
+    if (out.is_discarded() || !out.is_object())
+        return Diagnosis{Alarm::StoreRequestBad, {}, {}, "not a JSON object"};
     return out;
 }
 

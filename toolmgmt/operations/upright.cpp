@@ -7,8 +7,9 @@ AngularAxes angular_of(const params::Table& table, const MachineConfig& machine,
         const AxisConfig* axis = find_axis(machine, channel, role);
         return axis && axis->slot != kNoSlot ? static_cast<int>(axis->slot) : -1;
     };
-    bool usable = true;   // said by the channel when a program begins
-    return angular_axes(table, channel, machine.channel(channel).axis_count, place(PlaneRole::BasicX), place(PlaneRole::BasicZ), usable);
+    bool usable = true;  // said by the channel when a program begins
+    return angular_axes(table, channel, machine.channel(channel).axis_count,
+                        place(PlaneRole::BasicX), place(PlaneRole::BasicZ), usable);
 }
 
 std::optional<double> upright_position(const Work& work, unsigned channel, const AxisConfig& axis) {
@@ -20,7 +21,8 @@ std::optional<double> upright_position(const Work& work, unsigned channel, const
     return slide ? std::optional<double>(axes.z_of(*slide, *own)) : std::nullopt;
 }
 
-double upright_touch(const Work& work, unsigned channel, const AxisConfig& axis, const Touch& touch) {
+double portrait_touch(const Work& work, unsigned channel, const AxisConfig& axis,
+                      const Touch& touch) {
     const AngularAxes axes = angular_of(work.values.parameters, work.machine, channel);
     if (axes.on && axis.slot == axes.angular) return axes.x_of(touch.at);
     if (axes.on && axis.slot == axes.square) return axes.z_of(touch.slide_at, touch.at);

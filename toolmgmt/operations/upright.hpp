@@ -1,5 +1,6 @@
-// Where a tool stands as offsets and zeros count it: at right angles, also where the X slide is inclined and its axes stand elsewhere
-// (fanuc_lathe 10.5: relative and absolute positions are rectangular). X as a radius.
+// Where a tool stands as offsets and zeros count it: at right angles, also where the X slide is
+// inclined and its axes stand elsewhere (fanuc_lathe 10.5: relative and absolute positions are
+// rectangular). X as a radius.
 #pragma once
 #include "ipc/machine/angular_axes.hpp"
 #include "toolmgmt/operations/operation.hpp"
@@ -9,6 +10,7 @@ namespace polyturn::toolmgmt {
 AngularAxes angular_of(const params::Table& table, const MachineConfig& machine, unsigned channel);
 // Nothing: the kernel does not say where the axis stands.
 std::optional<double> upright_position(const Work& work, unsigned channel, const AxisConfig& axis);
-double upright_touch(const Work& work, unsigned channel, const AxisConfig& axis, const Touch& touch);
+double portrait_touch(const Work& work, unsigned channel, const AxisConfig& axis,
+                      const Touch& touch);
 
 }  // namespace polyturn::toolmgmt

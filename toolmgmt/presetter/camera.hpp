@@ -1,12 +1,15 @@
-// A picture from the presetter's camera instead of a file: several frames, one behind the other, become one picture with less noise.
+// A picture from the presetter's camera instead of a file: several frames, one behind the other,
+// become one picture with less noise.
 //
 //   camera:0  camera:/dev/video2      a camera of this computer, by its number or its device
 //   camera:rtsp://...  camera:http://...  camera:shot.avi    a camera in the network, a film
-//   camera:shot_%02d.pgm              pictures that a camera program has written, by number, from 0 or 1 on
+//   camera:shot_%02d.pgm              pictures that a camera program has written, by number, from 0
+//                                     or 1 on
 //
-// The first frames of a camera are not used: its exposure is still being found. Frames that do not show the same are refused, for
-// the tool or the camera moves; so are a camera that does not answer and one that ends before the frames are together.
-// Cameras and films need OpenCV's videoio; a build without it says so. Numbered pictures need nothing.
+// The first frames of a camera are not used: its exposure is still being found. Frames that do not
+// show the same are refused, for the tool or the camera moves; so are a camera that does not answer
+// and one that ends before the frames are together. Cameras and films need OpenCV's videoio; a
+// build without it says so. Numbered pictures need nothing.
 #pragma once
 
 #include <string>

@@ -16,10 +16,13 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 constexpr int kRounds = 60;
 constexpr double kTukey = 4.685;
 constexpr double kMostOutliers = 0.3;
-constexpr double kLeastCoverage = 0.6;      // of the nose's arc that must be seen
-constexpr double kNeighbours = 4;           // points that share their error: smoothing and blur spread it
+constexpr double kLeastCoverage = 0.6;  // of the nose's arc that must be seen
+// points that share their error: smoothing and blur spread it
+constexpr double kNeighbours = 4;
 
-Diagnosis refused(std::string why) { return Diagnosis{Alarm::PresetterImage, {}, {}, std::move(why)}; }
+Diagnosis refused(std::string why) {
+    return Diagnosis{Alarm::PresetterImage, {}, {}, std::move(why)};
+}
 
 enum class Where : std::uint8_t { Arc, Plus, Minus };
 
@@ -46,10 +49,13 @@ double scale_of(std::vector<double> residuals) {
     return 1.4826 * *middle;
 }
 
-// Lines through both ends of the contour, where the flanks are; the nose lies where they would meet.
+// Lines through both ends of the contour, where the flanks are; the nose lies where they would
+// meet.
 Result<Vector5> first_guess(const std::vector<Point>& points, double pixel) {
     const std::size_t third = points.size() * 35 / 100;
-    const std::vector<Point> begin(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(third)), end(points.end() - static_cast<std::ptrdiff_t>(third), points.end());
+    const std::vector<Point> begin(points.begin(),
+                                   points.begin() + static_cast<std::ptrdiff_t>(third)),
+        end(points.end() - static_cast<std::ptrdiff_t>(third), points.end());
     auto a = robust_line(begin, 1.5 * pixel), b = robust_line(end, 1.5 * pixel);
     if (!a || !b) return refused("no straight flanks are seen on both sides of a tip");
     // Outwards: a tip is convex, so the other flank lies on the inner side.
@@ -57,23 +63,33 @@ Result<Vector5> first_guess(const std::vector<Point>& points, double pixel) {
     const auto inwards = [&](Line& line, const std::vector<Point>& other) {
         double sum = 0;
         for (const Point& p : other) sum += line.distance(p) / static_cast<double>(other.size());
-        if (sum > 0) line.nx = -line.nx, line.ny = -line.ny, line.d = -line.d;
+        if (sum > 0) {
+            line.nx = -line.nx;
+            line.ny = -line.ny;
+            line.d = -line.d;
+        }
         apart = std::max(apart, std::fabs(sum));
     };
-    inwards(*a, end), inwards(*b, begin);
+    inwards(*a, end);
+    inwards(*b, begin);
     const double cross = a->nx * b->ny - a->ny * b->nx, dot = a->nx * b->nx + a->ny * b->ny;
     const double half = 0.5 * std::atan2(std::fabs(cross), dot);
-    if (half < 0.09 || (std::fabs(cross) < 0.17 && apart < 8 * pixel)) return refused("it shows one straight edge and no tip: the tip is cut off, or not in the picture");
+    if (half < 0.09 || (std::fabs(cross) < 0.17 && apart < 8 * pixel))
+        return refused(
+            "it shows one straight edge and no tip: the tip is cut off, or not in the picture");
     if (half > 1.5) return refused("two edges run side by side: show one corner alone");
     const Point meet{(a->d * b->ny - b->d * a->ny) / cross, (b->d * a->nx - a->d * b->nx) / cross};
     double bx = a->nx + b->nx, by = a->ny + b->ny;
     const double length = std::hypot(bx, by);
-    bx /= length, by /= length;
+    bx /= length;
+    by /= length;
     double nearest = 1e300;
-    for (const Point& p : points) nearest = std::min(nearest, std::hypot(p.x - meet.x, p.y - meet.y));
+    for (const Point& p : points)
+        nearest = std::min(nearest, std::hypot(p.x - meet.x, p.y - meet.y));
     const double r = std::max(nearest / (1 / std::cos(half) - 1), 0.2 * pixel);
     Vector5 q;
-    q << meet.x - bx * r / std::cos(half), meet.y - by * r / std::cos(half), r, std::atan2(by, bx), half;
+    q << meet.x - bx * r / std::cos(half), meet.y - by * r / std::cos(half), r, std::atan2(by, bx),
+        half;
     return q;
 }
 
@@ -97,7 +113,8 @@ Result<Nose> fit_nose(const std::vector<Point>& points, double pixel) {
         return sum;
     };
     for (int round = 0; round < kRounds; ++round) {
-        for (std::size_t i = 0; i < points.size(); ++i) residuals[i] = residual(q, points[i], gradient, where);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            residuals[i] = residual(q, points[i], gradient, where);
         scale = std::max(scale_of(residuals), 0.02 * pixel);
         normal.setZero();
         Vector5 right = Vector5::Zero();
@@ -121,14 +138,19 @@ Result<Nose> fit_nose(const std::vector<Point>& points, double pixel) {
                 damping *= 8;
                 continue;
             }
-            better = true, damping = std::max(damping / 6, 1e-9);
+            better = true;
+            damping = std::max(damping / 6, 1e-9);
             moved = (next - q).head<3>().norm();
             q = next;
         }
         if (!better || moved < 1e-6 * pixel) break;
     }
     Nose out;
-    out.x = q[0], out.y = q[1], out.r = q[2], out.points_to = std::remainder(q[3], 2 * std::numbers::pi), out.half = q[4];
+    out.x = q[0];
+    out.y = q[1];
+    out.r = q[2];
+    out.points_to = std::remainder(q[3], 2 * std::numbers::pi);
+    out.half = q[4];
     double sum = 0, weight = 0;
     std::size_t good = 0, plus = 0, minus = 0;
     normal.setZero();
@@ -138,16 +160,26 @@ Result<Nose> fit_nose(const std::vector<Point>& points, double pixel) {
         ++good;
         (where == Where::Arc ? out.on_arc : where == Where::Plus ? plus : minus) += 1;
         const double w = (1 - u * u) * (1 - u * u);
-        sum += w * e * e, weight += w;
+        sum += w * e * e;
+        weight += w;
         normal += w * gradient * gradient.transpose();
     }
     out.outliers = 1 - static_cast<double>(good) / static_cast<double>(points.size());
-    if (weight <= 0 || plus < 20 || minus < 20) return refused("it is cut off: both flanks and the tip must be seen");
+    if (weight <= 0 || plus < 20 || minus < 20)
+        return refused("it is cut off: both flanks and the tip must be seen");
     out.deviation = std::sqrt(sum / weight);
-    if (out.outliers > kMostOutliers) return refused("the edge is chipped or dirty: " + std::to_string(static_cast<int>(std::lround(100 * out.outliers))) + " % of it does not fit a tip");
+    if (out.outliers > kMostOutliers)
+        return refused("the edge is chipped or dirty: " +
+                       std::to_string(static_cast<int>(std::lround(100 * out.outliers))) +
+                       " % of it does not fit a tip");
     const double expected = 2 * out.half * out.r / pixel;
-    if (expected > 8 && static_cast<double>(out.on_arc) < kLeastCoverage * expected) return refused("it is cut off, or the tip is broken: only " + std::to_string(static_cast<int>(std::lround(100 * static_cast<double>(out.on_arc) / expected))) + " % of the nose is seen");
-    out.covariance = normal.ldlt().solve(Matrix5::Identity()) * out.deviation * out.deviation * kNeighbours;
+    if (expected > 8 && static_cast<double>(out.on_arc) < kLeastCoverage * expected)
+        return refused("it is cut off, or the tip is broken: only " +
+                       std::to_string(static_cast<int>(
+                           std::lround(100 * static_cast<double>(out.on_arc) / expected))) +
+                       " % of the nose is seen");
+    out.covariance =
+        normal.ldlt().solve(Matrix5::Identity()) * out.deviation * out.deviation * kNeighbours;
     return out;
 }
 

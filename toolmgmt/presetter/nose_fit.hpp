@@ -6,7 +6,8 @@
 //                 '--'           distance of a point: to the circle within the sector of the normals, else to the flank of its side
 //                   b
 //
-// Weakness: a flank that is curved within the picture is taken for a straight one; what departs from it counts as chips.
+// Weakness: a flank that is curved within the picture is taken for a straight one; what departs
+// from it counts as chips.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +18,13 @@
 namespace polyturn::presetter {
 
 struct Nose {
-    double x = 0, y = 0, r = 0;            // in the units of the points
-    double points_to = 0, half = 0;        // rad
-    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();   // of x y r points_to half
-    double deviation = 0;                  // of the good points from the model
-    double outliers = 0;                   // share of the points that belong to chips or dirt
-    std::size_t on_arc = 0;                // good points of the nose itself
+    double x = 0, y = 0, r = 0;      // in the units of the points
+    double points_to = 0, half = 0;  // rad
+    // of x y r points_to half
+    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
+    double deviation = 0;    // of the good points from the model
+    double outliers = 0;     // share of the points that belong to chips or dirt
+    std::size_t on_arc = 0;  // good points of the nose itself
 };
 
 // `pixel`: distance of neighbouring points.

@@ -12,10 +12,14 @@ namespace {
 constexpr std::size_t kHead = 32, kFrame = 24;
 
 std::uint32_t big(std::string_view bytes, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])); };
+    const auto byte = [&](std::size_t i) {
+        return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i]));
+    };
     return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
 }
-std::uint32_t little(std::string_view bytes, std::size_t at) { return __builtin_bswap32(big(bytes, at)); }
+std::uint32_t little(std::string_view bytes, std::size_t at) {
+    return __builtin_bswap32(big(bytes, at));
+}
 
 // The running check sum of the log, in the order of bytes that its head names.
 struct Running {
@@ -37,15 +41,17 @@ LogPages read_log(const std::string& path) {
     if (!read_whole_file(path, bytes) || bytes.size() < kHead) return out;
     const std::string_view log = bytes;
     const std::uint32_t magic = big(log, 0), size = big(log, 8);
-    if ((magic & ~1u) != 0x377f0682u || size < 512 || size > 65536 || (size & (size - 1)) != 0) return out;
+    if ((magic & ~1u) != 0x377f0682u || size < 512 || size > 65536 || (size & (size - 1)) != 0)
+        return out;
     Running sum{(magic & 1u) != 0};
     sum.take(log.substr(0, 24));
     if (sum.s0 != big(log, 24) || sum.s1 != big(log, 28)) return out;
     out.page_size = size;
-    std::map<std::uint32_t, std::uint64_t> open;   // of the transaction that has not ended yet
+    std::map<std::uint32_t, std::uint64_t> open;  // of the transaction that has not ended yet
     for (std::size_t at = kHead; at + kFrame + size <= log.size(); at += kFrame + size) {
         const std::uint32_t page = big(log, at), pages = big(log, at + 4);
-        if (page == 0 || log.substr(at + 8, 8) != log.substr(16, 8)) break;   // of an earlier use of the file
+        // of an earlier use of the file
+        if (page == 0 || log.substr(at + 8, 8) != log.substr(16, 8)) break;
         const std::string_view content = log.substr(at + kFrame, size);
         sum.take(log.substr(at, 8));
         sum.take(content);

@@ -43,8 +43,10 @@ void tighten(const std::string& folder) {
     const unsigned mode = private_mode(folder);
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none))
-        if (entry.path().filename().string().rfind("store.", 0) == 0) tighten_file(entry.path(), mode);
-    for (const auto& entry : fs::directory_iterator(fs::path(folder) / "backups", none)) tighten_file(entry.path(), mode);
+        if (entry.path().filename().string().rfind("store.", 0) == 0)
+            tighten_file(entry.path(), mode);
+    for (const auto& entry : fs::directory_iterator(fs::path(folder) / "backups", none))
+        tighten_file(entry.path(), mode);
 }
 
 std::string make_folder(const std::string& folder) {
@@ -56,7 +58,7 @@ std::string make_folder(const std::string& folder) {
         if (at == at.parent_path()) break;
     }
     for (auto one = missing.rbegin(); one != missing.rend(); ++one) {
-        if (one->filename().empty()) continue;   // a slash at the end
+        if (one->filename().empty()) continue;  // a slash at the end
         if (::mkdir(one->c_str(), 0755) != 0 && errno != EEXIST) return std::strerror(errno);
         sync_folder(one->parent_path().string());
     }
@@ -65,8 +67,10 @@ std::string make_folder(const std::string& folder) {
 }
 
 bool sync_folder(const std::string& folder) {
-    const OpenFile file(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return file && (::fsync(file.get()) == 0 || errno == EINVAL);   // some file systems have no such thing for a folder
+    const OpenFile file(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // some file systems have no such thing for a folder
+    return file && (::fsync(file.get()) == 0 || errno == EINVAL);
 }
 
 bool sync_file(const std::string& path) {
@@ -81,7 +85,8 @@ bool read_whole_file(const std::string& path, std::string& out) {
     if (!file || ::fstat(file.get(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
     out.resize(static_cast<std::size_t>(about.st_size));
     for (std::size_t done = 0; done < out.size();) {
-        const ssize_t got = ::pread(file.get(), out.data() + done, out.size() - done, static_cast<off_t>(done));
+        const ssize_t got =
+            ::pread(file.get(), out.data() + done, out.size() - done, static_cast<off_t>(done));
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
         done += static_cast<std::size_t>(got);
@@ -91,7 +96,8 @@ bool read_whole_file(const std::string& path, std::string& out) {
 
 bool write_at(int fd, std::string_view bytes, std::uint64_t offset) {
     for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t wrote = ::pwrite(fd, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+        const ssize_t wrote = ::pwrite(fd, bytes.data() + done, bytes.size() - done,
+                                       static_cast<off_t>(offset + done));
         if (wrote < 0 && errno == EINTR) continue;
         if (wrote <= 0) return false;
         done += static_cast<std::size_t>(wrote);
@@ -104,8 +110,10 @@ bool replace_private(const std::string& path, std::string_view bytes) {
     bool good = false;
     {
         const unsigned mode = private_mode(folder);
-        const OpenFile file(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, mode));
-        good = file && ::fchmod(file.get(), mode) == 0 && write_at(file.get(), bytes, 0) && ::fsync(file.get()) == 0;
+        const OpenFile file(
+            ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, mode));
+        good = file && ::fchmod(file.get(), mode) == 0 && write_at(file.get(), bytes, 0) &&
+               ::fsync(file.get()) == 0;
     }
     good = good && std::rename(fresh.c_str(), path.c_str()) == 0 && sync_folder(folder);
     if (!good) ::unlink(fresh.c_str());

@@ -15,33 +15,44 @@ namespace p = params;
 namespace {
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
-constexpr std::int32_t kFirstSpindlePlace = 10;   // magazine number of S1; below it are chains, matrices and turrets (part 2, 30.2)
+// magazine number of S1; below it are chains, matrices and turrets (part 2, 30.2)
+constexpr std::int32_t kFirstSpindlePlace = 10;
 
-std::string_view name_of(const ToolRow& row) { return {row.name.data(), ::strnlen(row.name.data(), row.name.size())}; }
+std::string_view name_of(const ToolRow& row) {
+    return {row.name.data(), ::strnlen(row.name.data(), row.name.size())};
+}
 
 bool searched(const p::Table& t, unsigned channel, std::int32_t magazine) {
     if (magazine <= 0) return false;
     if (magazine >= kFirstSpindlePlace) return magazine / 10 == tool_spindle(t, channel);
     for (unsigned l = 1; l <= kMaxChannels; ++l)
         if (turret_of(t, l).magazine == magazine) return l == channel;
-    return magazine <= 4 && p::bit(t, p::n2901_search_config, channel, static_cast<unsigned>(magazine) + 1);
+    return magazine <= 4 &&
+           p::bit(t, p::n2901_search_config, channel, static_cast<unsigned>(magazine) + 1);
 }
 
 // Less is chosen first; equal ones by the data number.
-double rank(const StoreValues& values, const ToolPlaceTable& places, const ToolQuestion& question, const ToolRow& row) {
+double rank(const StoreValues& values, const ToolPlaceTable& places, const ToolQuestion& question,
+            const ToolRow& row) {
     const p::Table& t = values.parameters;
     switch (static_cast<int>(p::get(t, p::pt_tool_search, question.channel))) {
-        case 1: return row.state & kToolActive ? -1.0 : row.duplo;
-        case 2: return row.duplo;
-        case 3: return row.state & kToolActive ? 0.0 : 1.0;
+        case 1:
+            return row.state & kToolActive ? -1.0 : row.duplo;
+        case 2:
+            return row.duplo;
+        case 3:
+            return row.state & kToolActive ? 0.0 : 1.0;
         case 4: {
             const std::int32_t now = values.tools.in_channel[question.channel - 1];
             const ToolRow* at = values.tool(now);
             const ToolPlace* from = at ? find_place(places, at->magazine, at->pot) : nullptr;
             const ToolPlace* to = find_place(places, row.magazine, row.pot);
-            return from && to && from->magazine == to->magazine ? std::fabs(way_between(places, *from, *to)) : 0.0;
+            return from && to && from->magazine == to->magazine
+                       ? std::fabs(travel_between(places, *from, *to))
+                       : 0.0;
         }
-        default: break;
+        default:
+            break;
     }
     if (p::bit(t, p::n2901_search_config, question.channel, 0)) {
         const auto column = static_cast<std::size_t>(p::get(t, p::n2904_custom_life_column_no));
@@ -62,8 +73,10 @@ ToolAnswer found(const StoreValues& values, const ToolQuestion& question, std::i
     ToolAnswer out{};
     out.alarm = -1;
     out.tool = number;
-    out.magazine = row.magazine, out.pot = row.pot;
-    out.offset = row.h_cell, out.radius_offset = row.d_cell;
+    out.magazine = row.magazine;
+    out.pot = row.pot;
+    out.offset = row.h_cell;
+    out.radius_offset = row.d_cell;
     out.group = row.group;
     out.spindle_place = turret_of(values.parameters, question.channel).magazine == 0;
     out.life_kind = row.life_kind;
@@ -78,14 +91,16 @@ ToolAnswer found(const StoreValues& values, const ToolQuestion& question, std::i
 std::string called(const ToolQuestion& question) {
     const std::string channel = " in channel L" + std::to_string(question.channel);
     if (!question.name.empty()) return "T \"" + std::string(question.name) + "\"" + channel;
-    return (question.by == ToolCallBy::Group ? "group " : "T") + shortest_text(question.value) + channel;
+    return (question.by == ToolCallBy::Group ? "group " : "T") + shortest_text(question.value) +
+           channel;
 }
 
 // Nothing stands there: the place is brought into position and no tool works.
 ToolAnswer empty_place(std::int32_t magazine, std::int32_t pot) {
     ToolAnswer out{};
     out.alarm = -1;
-    out.magazine = magazine, out.pot = pot;
+    out.magazine = magazine;
+    out.pot = pot;
     out.left = out.group_left = kEver;
     return out;
 }
@@ -95,7 +110,8 @@ ToolAnswer empty_place(std::int32_t magazine, std::int32_t pot) {
 bool managed(const p::Table& t) { return p::bit(t, p::n2900_tool_m_config, 0); }
 
 bool usable(const ToolRow& row) {
-    if (!(row.state & kToolEnabled) || (row.state & (kToolLocked | kToolBroken | kToolWorn))) return false;
+    if (!(row.state & kToolEnabled) || (row.state & (kToolLocked | kToolBroken | kToolWorn)))
+        return false;
     return life_left(row) > 0;
 }
 
@@ -118,17 +134,20 @@ double group_left(const StoreValues& values, const ToolRow& row) {
 }
 
 bool reaches(const p::Table& t, unsigned channel, const ToolRow& row) {
-    if (row.unit != 0 && row.unit != static_cast<std::int32_t>(p::get(t, p::pt_tool_unit, channel))) return false;
+    if (row.unit != 0 && row.unit != static_cast<std::int32_t>(p::get(t, p::pt_tool_unit, channel)))
+        return false;
     return searched(t, channel, row.magazine);
 }
 
-ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, const ToolQuestion& asked) {
+ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places,
+                     const ToolQuestion& asked) {
     const p::Table& t = values.parameters;
     ToolQuestion question = asked;
     const auto whole = static_cast<std::int64_t>(std::llround(question.value));
     if (question.by == ToolCallBy::Place || question.by == ToolCallBy::Location) {
         const bool location = question.by == ToolCallBy::Location;
-        const auto magazine = location ? turret_of(t, question.channel).magazine : static_cast<std::int32_t>(whole / 10'000);
+        const auto magazine = location ? turret_of(t, question.channel).magazine
+                                       : static_cast<std::int32_t>(whole / 10'000);
         const auto pot = static_cast<std::int32_t>(location ? whole : whole % 10'000);
         if (location && whole == 0) return empty_place(0, 0);
         const ToolPlace* place = find_place(places, magazine, pot);
@@ -150,15 +169,19 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
     }
     if (question.by == ToolCallBy::Substitute) {
         const ToolRow* row = values.tool(whole);
-        if (!row || !row->used || !reaches(t, question.channel, *row)) return refused(Alarm::ToolNotFound, called(question));
+        if (!row || !row->used || !reaches(t, question.channel, *row))
+            return refused(Alarm::ToolNotFound, called(question));
         if (usable(*row)) return found(values, question, static_cast<std::int32_t>(whole));
         for (std::size_t i = 0; i < kTools; ++i)
-            if (const ToolRow& other = values.tools.rows[i]; &other != row && sisters(*row, other) && usable(other) && reaches(t, question.channel, other)) return found(values, question, static_cast<std::int32_t>(i + 1));
+            if (const ToolRow& other = values.tools.rows[i];
+                &other != row && sisters(*row, other) && usable(other) &&
+                reaches(t, question.channel, other))
+                return found(values, question, static_cast<std::int32_t>(i + 1));
         return refused(Alarm::ToolsUsedUp, called(question));
     }
     std::int32_t best = 0;
     double best_rank = 0;
-    std::int32_t after_active = 0;   // duplo of the active one that may not be used any more
+    std::int32_t after_active = 0;  // duplo of the active one that may not be used any more
     bool any = false, typed = false;
     const bool next_duplo = static_cast<int>(p::get(t, p::pt_tool_search, question.channel)) == 1;
     // What is meant first: whether the channel reaches a tool takes longer to say.
@@ -168,27 +191,40 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
     };
     for (std::size_t i = 0; i < kTools; ++i) {
         const ToolRow& row = values.tools.rows[i];
-        typed = typed || (row.used && row.type_number != 0);   // one of another channel tells too what T means on this machine
+        // one of another channel tells too what T means on this machine
+        typed = typed || (row.used && row.type_number != 0);
         if (!row.used || !meant(row) || !reaches(t, question.channel, row)) continue;
         any = true;
-        if (!usable(row) && question.by != ToolCallBy::Forced && (row.state & kToolActive)) after_active = row.duplo;
+        if (!usable(row) && question.by != ToolCallBy::Forced && (row.state & kToolActive))
+            after_active = row.duplo;
     }
     for (std::size_t i = 0; i < kTools && any; ++i) {
         const ToolRow& row = values.tools.rows[i];
-        if (!row.used || !meant(row) || !reaches(t, question.channel, row) || (!usable(row) && question.by != ToolCallBy::Forced)) continue;
-        double one = question.by == ToolCallBy::Group ? row.duplo : rank(values, places, question, row);
-        if (next_duplo && question.by != ToolCallBy::Group && one >= 0 && row.duplo <= after_active) one += 10'000;   // those before it come last
-        if (best == 0 || one < best_rank) best = static_cast<std::int32_t>(i + 1), best_rank = one;
+        if (!row.used || !meant(row) || !reaches(t, question.channel, row) ||
+            (!usable(row) && question.by != ToolCallBy::Forced))
+            continue;
+        double one =
+            question.by == ToolCallBy::Group ? row.duplo : rank(values, places, question, row);
+        // those before it come last
+        if (next_duplo && question.by != ToolCallBy::Group && one >= 0 && row.duplo <= after_active)
+            one += 10'000;
+        if (best == 0 || one < best_rank) {
+            best = static_cast<std::int32_t>(i + 1);
+            best_rank = one;
+        }
     }
     if (best) return found(values, question, best);
     if (any) return refused(Alarm::ToolsUsedUp, called(question));
-    // Where nobody works with type numbers, T is the station of the turret; a station in which nothing stands is no tool, and the turret
-    // does not come round with it.
+    // Where nobody works with type numbers, T is the station of the turret; a station in which
+    // nothing stands is no tool, and the turret does not come round with it.
     const TurretOf turret = turret_of(t, question.channel);
     if (question.name.empty() && question.by == ToolCallBy::Type && turret.magazine && !typed)
-        if (const ToolPlace* place = find_place(places, turret.magazine, static_cast<std::int32_t>(whole))) {
+        if (const ToolPlace* place =
+                find_place(places, turret.magazine, static_cast<std::int32_t>(whole))) {
             if (place->tool == 0) return refused(Alarm::ToolNotFound, called(question));
-            return usable(*values.tool(place->tool)) ? found(values, question, place->tool) : refused(Alarm::ToolsUsedUp, called(question));
+            return usable(*values.tool(place->tool))
+                       ? found(values, question, place->tool)
+                       : refused(Alarm::ToolsUsedUp, called(question));
         }
     return refused(Alarm::ToolNotFound, called(question));
 }

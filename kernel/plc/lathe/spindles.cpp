@@ -7,29 +7,51 @@ constexpr std::int32_t kAutomaticRange = 40;
 }  // namespace
 
 // True: it was one of them, finished, pending or refused.
-bool LathePlc::spindle_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code) {
+bool LathePlc::spindle_code(View view, std::uint32_t channel, std::uint32_t selected,
+                            std::int32_t code) {
     const std::uint32_t driven = settings(channel).driven_spindle;
     switch (code) {
-        case 3: return turn(view, channel, selected, kRight), true;
-        case 4: return turn(view, channel, selected, kLeft), true;
-        case 5: return turn(view, channel, selected, kStop), true;
-        case 19: return turn(view, channel, selected, kOrient, true), true;
-        case 13: return turn(view, channel, driven, kRight), true;
-        case 14: return turn(view, channel, driven, kLeft), true;
-        case 15: return turn(view, channel, driven, kStop), true;
+        case 3:
+            turn(view, channel, selected, kRight);
+            return true;
+        case 4:
+            turn(view, channel, selected, kLeft);
+            return true;
+        case 5:
+            turn(view, channel, selected, kStop);
+            return true;
+        case 19:
+            turn(view, channel, selected, kOrient, true);
+            return true;
+        case 13:
+            turn(view, channel, driven, kRight);
+            return true;
+        case 14:
+            turn(view, channel, driven, kLeft);
+            return true;
+        case 15:
+            turn(view, channel, driven, kStop);
+            return true;
         case 10:
-        case 11: return chuck(view, channel, selected, code == 11), true;
-        default: break;
+        case 11:
+            chuck(view, channel, selected, code == 11);
+            return true;
+        default:
+            break;
     }
     if (selected == 0) return false;
     const SpindleSettings& set = spindle_settings_[selected - 1];
     Spindle& s = spindles_[selected - 1];
-    if (set.closing_code > 0 && code == set.closing_code) return turn(view, channel, selected, code, true), true;
+    if (set.closing_code > 0 && code == set.closing_code) {
+        turn(view, channel, selected, code, true);
+        return true;
+    }
     if (set.c_axis_code > 0 && (code == set.c_axis_code || code == set.c_axis_code + 1)) {
         s.is_axis = code == set.c_axis_code;
         s.rotation = kStop;
         s.closes = false;
-        at(channel).pending = {Task::Standstill, selected, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), 0};
+        at(channel).pending = {Task::Standstill, selected, view.in.cycle + kCyclesUntilAnswer,
+                               view.in.tick + ticks(kSpindleTimeS), 0};
         return true;
     }
     if (set.state_high > 0 && code >= set.state_low && code <= set.state_high) {
@@ -39,8 +61,10 @@ bool LathePlc::spindle_code(View view, std::uint32_t channel, std::uint32_t sele
     }
     if (set.ranges > 1 && code >= kAutomaticRange && code <= kAutomaticRange + set.ranges) {
         s.automatic_range = code == kAutomaticRange;
-        if (s.automatic_range) finish_m(view, channel);
-        else change_gear(view, channel, selected, code - kAutomaticRange);
+        if (s.automatic_range)
+            finish_m(view, channel);
+        else
+            change_gear(view, channel, selected, code - kAutomaticRange);
         return true;
     }
     return false;
@@ -55,14 +79,17 @@ Message LathePlc::why_not_turn(View view, std::uint32_t channel, std::uint32_t s
     return kNoMessage;
 }
 
-void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t rotation, bool closes) {
+void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t rotation,
+                    bool closes) {
     if (spindle == 0) return refuse(channel, kNoSpindle);
     Spindle& s = spindles_[spindle - 1];
     if (rotation != kStop)
-        if (const Message why = why_not_turn(view, channel, spindle); why != kNoMessage) return refuse(channel, why);
-    // Turned the other way without a stop: a cut that follows must not begin before the kernel has heard of it, for then it
-    // would see its spindle taken away from under the cut.
-    const bool reversed = (s.rotation == kRight && rotation == kLeft) || (s.rotation == kLeft && rotation == kRight);
+        if (const Message why = why_not_turn(view, channel, spindle); why != kNoMessage)
+            return refuse(channel, why);
+    // Turned the other way without a stop: a cut that follows must not begin before the kernel has
+    // heard of it, for then it would see its spindle taken away from under the cut.
+    const bool reversed =
+        (s.rotation == kRight && rotation == kLeft) || (s.rotation == kLeft && rotation == kRight);
     s.rotation = rotation;
     s.closes = closes;
     s.started_by = rotation == kStop ? 0 : channel;
@@ -71,26 +98,36 @@ void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std
         return;
     }
     if (!closes) return finish_m(view, channel);
-    at(channel).pending = {Task::InPosition, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), 0};
+    at(channel).pending = {Task::InPosition, spindle, view.in.cycle + kCyclesUntilAnswer,
+                           view.in.tick + ticks(kSpindleTimeS), 0};
 }
 
 void LathePlc::chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open) {
     if (spindle == 0) return refuse(channel, kNoSpindle);
     const Spindle& s = spindles_[spindle - 1];
-    if (const bool stands = view.in.signal[spindle_slots_[spindle - 1].stands] != 0; !stands && (s.rotation != kStop || s.follow != 0 || partner(view, spindle))) {
-        if (s.chuck_open != open && !partner(view, spindle)) return refuse(channel, open ? kChuckWhileTurning : kClampsTurning);
-        spindles_[spindle - 1].chuck_open = open;   // both hold the part, or both have let go of each other's
-        at(channel).pending = {Task::Chuck, spindle, 0, view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s), 0};
+    if (const bool stands = view.in.signal[spindle_slots_[spindle - 1].stands] != 0;
+        !stands && (s.rotation != kStop || s.follow != 0 || partner(view, spindle))) {
+        if (s.chuck_open != open && !partner(view, spindle))
+            return refuse(channel, open ? kChuckWhileTurning : kClampsTurning);
+        // both hold the part, or both have let go of each other's
+        spindles_[spindle - 1].chuck_open = open;
+        at(channel).pending = {Task::Chuck, spindle, 0,
+                               view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s),
+                               0};
         return;
     }
     if (open && s.rotation != kStop) return refuse(channel, kChuckWhileTurning);
-    if (!open && s.chuck_open && presses(view, channel) && !partner(view, spindle)) {   // on a part that may turn: its spindle must run with it
+    // on a part that may turn: its spindle must run with it
+    if (!open && s.chuck_open && presses(view, channel) && !partner(view, spindle)) {
         const std::int32_t master = spindle_settings_[spindle - 1].master;
-        if (master > 0 && view.in.signal[spindle_slots_[master - 1].stands] == 0) return refuse(channel, kClampsTurning);
+        if (master > 0 && view.in.signal[spindle_slots_[master - 1].stands] == 0)
+            return refuse(channel, kClampsTurning);
     }
     Pending& pending = at(channel).pending;
-    pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), open ? kThenChuck : kThenNothing};
-    if (open && view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;   // M5 has only just been given
+    pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer,
+               view.in.tick + ticks(kSpindleTimeS), open ? kThenChuck : kThenNothing};
+    // M5 has only just been given
+    if (open && view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;
     spindles_[spindle - 1].chuck_open = open;
     pending.task = Task::Chuck;
     pending.due_tick = view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s);
@@ -108,7 +145,8 @@ std::uint32_t LathePlc::partner(View view, std::uint32_t spindle) const {
         if (other == spindle || spindles_[other - 1].chuck_open) continue;
         const auto leads = [&](std::uint32_t master, std::uint32_t follower) {
             const SpindleSlots& slot = spindle_slots_[follower - 1];
-            return view.in.signal[slot.follows] == static_cast<std::int32_t>(master) && view.in.signal[slot.synchronous] != 0;
+            return view.in.signal[slot.follows] == static_cast<std::int32_t>(master) &&
+                   view.in.signal[slot.synchronous] != 0;
         };
         if (leads(spindle, other) || leads(other, spindle)) return other;
     }
@@ -123,21 +161,31 @@ bool LathePlc::follow_code(View view, std::uint32_t channel, std::int32_t code) 
         s.follow = static_cast<std::uint8_t>(code == first + 2 ? 0 : code - first + 1);
         s.ends_follow = false;
         if (s.follow != 0) s.started_by = channel;
-        at(channel).pending = {Task::Follow, n, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), s.follow, 0};
+        at(channel).pending = {Task::Follow,
+                               n,
+                               view.in.cycle + kCyclesUntilAnswer,
+                               view.in.tick + ticks(kSpindleTimeS),
+                               s.follow,
+                               0};
         return true;
     }
     return false;
 }
 
-// A program that has ended leaves two spindles with one part between them: they run down together and come apart when they stand.
+// A program that has ended leaves two spindles with one part between them: they run down together
+// and come apart when they stand.
 void LathePlc::end_follow(View view) {
     for (std::uint32_t n = 1; n <= kSpindles; ++n) {
         Spindle& s = spindles_[n - 1];
-        if (s.ends_follow && view.in.signal[spindle_slots_[n - 1].stands] != 0) s.ends_follow = false, s.follow = 0;
+        if (s.ends_follow && view.in.signal[spindle_slots_[n - 1].stands] != 0) {
+            s.ends_follow = false;
+            s.follow = 0;
+        }
     }
 }
 
-void LathePlc::change_gear(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t range) {
+void LathePlc::change_gear(View view, std::uint32_t channel, std::uint32_t spindle,
+                           std::int32_t range) {
     Spindle& s = spindles_[spindle - 1];
     if (s.range == range) return finish_m(view, channel);
     s.creeps = true;

@@ -1,18 +1,22 @@
-// Judges the trace of a run from outside: it knows the file's columns and the machine's limits in plain numbers, and shares no
-// code with the kernel.
+// Judges the trace of a run from outside: it knows the file's columns and the machine's limits in
+// plain numbers, and shares no code with the kernel.
 //
-//   hour_judge FACTS TRACE.csv        prints a line for each fault, then "judged N ticks"; exit 1 when there was a fault
+//   hour_judge FACTS TRACE.csv        prints a line for each fault, then "judged N ticks"; exit 1
+//                                     when there was a fault
 //
 // FACTS, a line each (times in seconds, mm or degrees):
 //   tick S
 //   axis NUMBER CHANNEL VMAX AMAX JMAX LOW HIGH ESTOP_DEC FOLLOWING RESTING
-//   free NUMBER FROM TO     what the axis' command does is nobody's doing then (off, open loop, coordinates shifted)
+//   free NUMBER FROM TO     what the axis' command does is nobody's doing then (off, open loop,
+//                           coordinates shifted)
 //   hard FROM TO            emergency stop: ESTOP_DEC holds instead of AMAX, no jerk limit
 //   still CHANNEL FROM TO   the channel may stand without moving (override 0, a reason was named)
 //   at T NUMBER VALUE       the path went through here
 //   tie SLAVE MASTER SIGN FROM TO BY   the slave's command goes the master's way, to BY mm
-//   add SLAVE MASTER SIGN FROM TO      the master's way since FROM is added to what the slave's own program says
-//   patience S              a channel that runs and neither moves nor has a reason hangs after so long
+//   add SLAVE MASTER SIGN FROM TO      the master's way since FROM is added to what the slave's own
+//                                      program says
+//   patience S              a channel that runs and neither moves nor has a reason hangs after so
+//                           long
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -30,7 +34,8 @@ struct Span {
     double from, to;
 };
 bool inside(const std::vector<Span>& spans, double t) {
-    return std::any_of(spans.begin(), spans.end(), [t](const Span& s) { return t >= s.from && t <= s.to; });
+    return std::any_of(spans.begin(), spans.end(),
+                       [t](const Span& s) { return t >= s.from && t <= s.to; });
 }
 
 struct Axis {
@@ -38,9 +43,9 @@ struct Axis {
     double vmax = 0, amax = 0, jmax = 0, low = 0, high = 0, estop = 0, following = 0, resting = 0;
     std::vector<Span> free;
     std::multimap<double, double> at;
-    std::size_t cmd = 0, act = 0;       // columns
-    double p = 0, v = 0, a = 0;         // of the tick before
-    int known = 0;                      // how many of them are
+    std::size_t cmd = 0, act = 0;  // columns
+    double p = 0, v = 0, a = 0;    // of the tick before
+    int known = 0;                 // how many of them are
     double still_s = 0, said_s = -1, added = 0;
     std::map<std::string, int> told;
 };
@@ -51,17 +56,18 @@ struct Channel {
     bool exists = false, told = false;
 };
 
-// A slave and its master. What its program commanded is known at `from` and after each time that nobody commanded it.
+// A slave and its master. What its program commanded is known at `from` and after each time that
+// nobody commanded it.
 struct Coupling {
     int slave = 0, master = 0;
     double sign = 1, from = 0, to = 0, by = 0;
     bool adds = false, known = false;
-    double reference = 0;   // tie: slave - sign * master; add: the master
+    double reference = 0;  // tie: slave - sign * master; add: the master
 };
 
 struct Judge {
     std::vector<Coupling> couplings;
-    double tick = 0.001, patience = 30;
+    double tick = 0.001, timeout = 30;
     std::map<int, Axis> axes;
     std::map<int, Channel> channels;
     std::vector<Span> hard;
@@ -69,7 +75,8 @@ struct Judge {
 
     void fault(Axis& axis, double t, const char* what, double value, double limit) {
         ++faults;
-        if (axis.told[what]++ < 3) std::printf("t=%.3f A%d: %s %.9g, allowed %.9g\n", t, axis.number, what, value, limit);
+        if (axis.told[what]++ < 3)
+            std::printf("t=%.3f A%d: %s %.9g, allowed %.9g\n", t, axis.number, what, value, limit);
     }
 
     bool read_facts(const char* file) {
@@ -81,11 +88,14 @@ struct Judge {
             row >> word;
             int n = 0;
             Span s{};
-            if (word == "tick") row >> tick;
-            else if (word == "patience") row >> patience;
+            if (word == "tick")
+                row >> tick;
+            else if (word == "patience")
+                row >> timeout;
             else if (word == "axis") {
                 Axis a;
-                row >> a.number >> a.channel >> a.vmax >> a.amax >> a.jmax >> a.low >> a.high >> a.estop >> a.following >> a.resting;
+                row >> a.number >> a.channel >> a.vmax >> a.amax >> a.jmax >> a.low >> a.high >>
+                    a.estop >> a.following >> a.resting;
                 axes[a.number] = a;
             } else if (word == "free") {
                 row >> n >> s.from >> s.to;
@@ -107,7 +117,10 @@ struct Judge {
                 row >> t >> n >> value;
                 axes[n].at.emplace(t, value);
             }
-            if (!row) return std::fprintf(stderr, "bad line: %s\n", line.c_str()), false;
+            if (!row) {
+                std::fprintf(stderr, "bad line: %s\n", line.c_str());
+                return false;
+            }
         }
         return true;
     }
@@ -117,15 +130,18 @@ struct Judge {
         for (auto& [number, axis] : axes) axis.added = 0;
         for (Coupling& c : couplings) {
             Axis &slave = axes[c.slave], &master = axes[c.master];
-            if (t < c.from || t > c.to - 1.5 * tick || inside(slave.free, t) || inside(master.free, t)) {
+            if (t < c.from || t > c.to - 1.5 * tick || inside(slave.free, t) ||
+                inside(master.free, t)) {
                 c.known = c.known && c.adds && t >= c.from;
                 continue;
             }
             const double s = cell[slave.cmd], m = cell[master.cmd];
             if (!c.known) c.reference = c.adds ? m : s - c.sign * m;
             c.known = true;
-            if (c.adds) slave.added += c.sign * (m - c.reference);
-            else if (std::fabs(s - c.sign * m - c.reference) > c.by) fault(slave, t, "apart from its master by", s - c.sign * m - c.reference, c.by);
+            if (c.adds)
+                slave.added += c.sign * (m - c.reference);
+            else if (std::fabs(s - c.sign * m - c.reference) > c.by)
+                fault(slave, t, "apart from its master by", s - c.sign * m - c.reference, c.by);
         }
     }
     void look(Axis& axis, double t, double cmd, double act, bool braking) {
@@ -143,7 +159,8 @@ struct Judge {
             const double v = (cmd - axis.p) / tick;
             if (std::fabs(v) > axis.vmax * kMore) fault(axis, t, "speed", v, axis.vmax);
             if (axis.known >= 2) {
-                const double a = (v - axis.v) / tick, most = braking ? std::max(axis.amax, axis.estop) : axis.amax;
+                const double a = (v - axis.v) / tick,
+                             most = braking ? std::max(axis.amax, axis.estop) : axis.amax;
                 if (std::fabs(a) > most * kMore) fault(axis, t, "acceleration", a, most);
                 if (axis.known >= 3 && !braking) {
                     const double j = (a - axis.a) / tick;
@@ -156,27 +173,38 @@ struct Judge {
         }
         axis.known = std::min(axis.known + 1, 3);
         axis.p = cmd;
-        if (braking) axis.still_s = 0;   // a drive that has failed stops as it can
-        if (!braking && std::fabs(cmd - act) > axis.following) fault(axis, t, "measured away from its command by", cmd - act, axis.following);
-        if (axis.still_s > 0.5 && std::fabs(cmd - act) > axis.resting) fault(axis, t, "at rest away from its command by", cmd - act, axis.resting);
+        if (braking) axis.still_s = 0;  // a drive that has failed stops as it can
+        if (!braking && std::fabs(cmd - act) > axis.following)
+            fault(axis, t, "measured away from its command by", cmd - act, axis.following);
+        if (axis.still_s > 0.5 && std::fabs(cmd - act) > axis.resting)
+            fault(axis, t, "at rest away from its command by", cmd - act, axis.resting);
         // The path's points: near in time, the command was there. A blend rounds a corner a little.
         const double slack = 0.02 + 3 * tick * std::fabs(axis.v);
-        for (auto it = axis.at.lower_bound(t - tick); it != axis.at.end() && it->first < t; it = axis.at.erase(it))
-            if (axis.known >= 2 && std::fabs(cmd - axis.added - it->second) > slack) fault(axis, t, "not where its path led:", cmd - axis.added - it->second, slack);
+        for (auto it = axis.at.lower_bound(t - tick); it != axis.at.end() && it->first < t;
+             it = axis.at.erase(it))
+            if (axis.known >= 2 && std::fabs(cmd - axis.added - it->second) > slack)
+                fault(axis, t, "not where its path led:", cmd - axis.added - it->second, slack);
     }
 
     int run(const char* file) {
         std::ifstream in(file);
         std::string line;
-        if (!in || !std::getline(in, line)) return std::fprintf(stderr, "no trace %s\n", file), 2;
+        if (!in || !std::getline(in, line)) {
+            std::fprintf(stderr, "no trace %s\n", file);
+            return 2;
+        }
         std::istringstream head(line);
         std::string name;
         for (std::size_t column = 0; std::getline(head, name, ','); ++column) {
             const int number = name.size() > 1 ? std::atoi(name.c_str() + 1) : 0;
             const auto dot = name.find('.');
             const std::string what = dot == std::string::npos ? "" : name.substr(dot + 1);
-            if (name[0] == 'A' && axes.count(number)) (what == "cmd" ? axes[number].cmd : axes[number].act) = column;
-            if (name[0] == 'L') channels[number].column = column, channels[number].exists = true;
+            if (name[0] == 'A' && axes.count(number))
+                (what == "cmd" ? axes[number].cmd : axes[number].act) = column;
+            if (name[0] == 'L') {
+                channels[number].column = column;
+                channels[number].exists = true;
+            }
         }
         std::vector<double> cell;
         double before = -1;
@@ -199,7 +227,8 @@ struct Judge {
             for (auto& [number, axis] : axes) {
                 if (axis.cmd >= cell.size() || axis.act >= cell.size()) continue;
                 if (gap) {
-                    if (axis.known && cell[axis.cmd] != axis.p && !inside(axis.free, t)) fault(axis, t, "moved while time stood:", cell[axis.cmd] - axis.p, 0);
+                    if (axis.known && cell[axis.cmd] != axis.p && !inside(axis.free, t))
+                        fault(axis, t, "moved while time stood:", cell[axis.cmd] - axis.p, 0);
                     axis.known = 0;
                 }
                 const double was = axis.p;
@@ -209,12 +238,14 @@ struct Judge {
             for (auto& [number, channel] : channels) {
                 if (!channel.exists || channel.column >= cell.size()) continue;
                 constexpr int kRunning = 2;
-                const bool stands = static_cast<int>(cell[channel.column]) == kRunning && !moves[number] && !inside(channel.still, t);
+                const bool stands = static_cast<int>(cell[channel.column]) == kRunning &&
+                                    !moves[number] && !inside(channel.still, t);
                 channel.standing_s = stands ? channel.standing_s + tick : 0;
-                if (channel.standing_s > patience && !channel.told) {
+                if (channel.standing_s > timeout && !channel.told) {
                     channel.told = true;
                     ++faults;
-                    std::printf("t=%.3f L%d: runs, does not move and has no reason since %.1f s\n", t, number, channel.standing_s);
+                    std::printf("t=%.3f L%d: runs, does not move and has no reason since %.1f s\n",
+                                t, number, channel.standing_s);
                 }
             }
             before = t;
@@ -222,7 +253,8 @@ struct Judge {
         }
         for (auto& [number, axis] : axes)
             for (const auto& [what, count] : axis.told)
-                if (count > 3) std::printf("A%d: %s, %d times in all\n", number, what.c_str(), count);
+                if (count > 3)
+                    std::printf("A%d: %s, %d times in all\n", number, what.c_str(), count);
         std::printf("judged %ld ticks\n", ticks);
         return faults ? 1 : 0;
     }
@@ -230,8 +262,14 @@ struct Judge {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) return std::fprintf(stderr, "usage: hour_judge FACTS TRACE.csv\n"), 2;
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: hour_judge FACTS TRACE.csv\n");
+        return 2;
+    }
     Judge judge;
-    if (!judge.read_facts(argv[1])) return std::fprintf(stderr, "cannot read %s\n", argv[1]), 2;
+    if (!judge.read_facts(argv[1])) {
+        std::fprintf(stderr, "cannot read %s\n", argv[1]);
+        return 2;
+    }
     return judge.run(argv[2]);
 }

@@ -1,4 +1,5 @@
-// A port between the interpreter and the machine asks the machine everything that it does not answer itself.
+// A port between the interpreter and the machine asks the machine everything that it does not
+// answer itself.
 #include "channels/forwarding_port.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,10 @@ struct Machine final : Port {
     double running_ms() override { return 8.0; }
     double lamp_ms() override { return 9.0; }
     bool angular_correction_off() override { return true; }
-    bool keep(std::string_view name, std::string_view text) override { return kept_ = std::string(name) + "=" + std::string(text), false; }
+    bool keep(std::string_view name, std::string_view text) override {
+        kept_ = std::string(name) + "=" + std::string(text);
+        return false;
+    }
     std::string kept(std::string_view) override { return kept_; }
     bool second_geometry(unsigned axis) override { return axis == 1; }
     bool axis_referenced(unsigned) override { return false; }
@@ -50,7 +54,8 @@ TEST(ForwardingPort, AsksTheNextOneEverything) {
     EXPECT_EQ(port.axis_position(1), 4.0);
     EXPECT_EQ(port.axis_added(1), 5.0);
     EXPECT_EQ(port.axis_at_skip(1), 6.0);
-    EXPECT_TRUE(port.block_skip(3) && !port.block_skip(2) && port.optional_stop() && port.single_block());
+    EXPECT_TRUE(port.block_skip(3) && !port.block_skip(2) && port.optional_stop() &&
+                port.single_block());
     EXPECT_EQ(port.interface_value(1005), 1005);
     EXPECT_EQ(port.given_variable("#1"), 7.0);
     EXPECT_EQ(port.clock().day, 2);
@@ -59,7 +64,8 @@ TEST(ForwardingPort, AsksTheNextOneEverything) {
     EXPECT_TRUE(port.angular_correction_off());
     EXPECT_FALSE(port.keep("a", "b"));
     EXPECT_EQ(port.kept("a"), "a=b");
-    EXPECT_TRUE(port.second_geometry(1) && !port.axis_referenced(0) && port.stroke_flags(0).first_off && port.diameter_inverted(0));
+    EXPECT_TRUE(port.second_geometry(1) && !port.axis_referenced(0) &&
+                port.stroke_flags(0).first_off && port.diameter_inverted(0));
     EXPECT_EQ(port.feed_override(), 0.5);
     EXPECT_EQ(port.spindle_override(2), 0.2);
     EXPECT_EQ(port.spindle_speed(1), 900.0);

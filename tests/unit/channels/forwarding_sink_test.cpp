@@ -1,4 +1,5 @@
-// What stands between Core and the machine hands every kind of statement on, once and with its place.
+// What stands between Core and the machine hands every kind of statement on, once and with its
+// place.
 #include "channels/forwarding_sink.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@ namespace {
 // Writes down which statement arrived, and of which block.
 struct Told final : Sink {
     std::vector<std::string> lines;
-    void tell(const char* what, const BlockContext& at) { lines.push_back(std::string(what) + " " + std::to_string(at.line)); }
+    void tell(const char* what, const BlockContext& at) {
+        lines.push_back(std::string(what) + " " + std::to_string(at.line));
+    }
     void move(const Move&, const BlockContext& at) override { tell("move", at); }
     void dwell(const Dwell&, const BlockContext& at) override { tell("dwell", at); }
     void aux(const Aux&, const BlockContext& at) override { tell("aux", at); }
@@ -43,11 +46,29 @@ TEST(ForwardingSink, HandsOnEveryStatement) {
     Sink& sink = second;
     BlockContext at;
     at.line = 7;
-    sink.move({}, at), sink.dwell({}, at), sink.aux({}, at), sink.spindle({}, at), sink.wait({}, at), sink.variable({}, at), sink.offset({}, at);
-    sink.message("", at), sink.stop({}, at), sink.part(1, at), sink.alarm({}, at), sink.interrupts({}, at), sink.print("", at), sink.signal("", 0, at);
-    sink.tool_write({}, at), sink.life_group({}, at), sink.barrier(at), sink.block_end(at);
-    EXPECT_EQ(told.lines, (std::vector<std::string>{"move 7", "dwell 7", "aux 7", "spindle 7", "wait 7", "variable 7", "offset 7", "message 7", "stop 7", "part 7",
-                                                    "alarm 7", "interrupts 7", "print 7", "signal 7", "tool 7", "group 7", "barrier 7", "block_end 7"}));
+    sink.move({}, at);
+    sink.dwell({}, at);
+    sink.aux({}, at);
+    sink.spindle({}, at);
+    sink.wait({}, at);
+    sink.variable({}, at);
+    sink.offset({}, at);
+    sink.message("", at);
+    sink.stop({}, at);
+    sink.part(1, at);
+    sink.alarm({}, at);
+    sink.interrupts({}, at);
+    sink.print("", at);
+    sink.signal("", 0, at);
+    sink.tool_write({}, at);
+    sink.life_group({}, at);
+    sink.barrier(at);
+    sink.block_end(at);
+    EXPECT_EQ(told.lines,
+              (std::vector<std::string>{"move 7", "dwell 7", "aux 7", "spindle 7", "wait 7",
+                                        "variable 7", "offset 7", "message 7", "stop 7", "part 7",
+                                        "alarm 7", "interrupts 7", "print 7", "signal 7", "tool 7",
+                                        "group 7", "barrier 7", "block_end 7"}));
 }
 
 }  // namespace

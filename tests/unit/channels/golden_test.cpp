@@ -1,6 +1,7 @@
-// Programs whose events were worked out by hand from the specification: one folder each below tests/golden/<language>.
-// A folder with scenario.toml is run on the simulated machine, the others are checked; times and the summary are left out.
-// POLYTURN_BLESS=1 writes what comes out, and fails; read the difference before it is committed.
+// Programs whose events were worked out by hand from the specification: one folder each below
+// tests/golden/<language>. A folder with scenario.toml is run on the simulated machine, the others
+// are checked; times and the summary are left out. POLYTURN_BLESS=1 writes what comes out, and
+// fails; read the difference before it is committed.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,10 +31,12 @@ std::vector<GoldenCase> cases() {
     std::vector<GoldenCase> found;
     for (const char* language : {"fagor", "fanuc", "mefi", "nct", "sinumerik"}) {
         std::error_code error;
-        for (const auto& entry : fs::directory_iterator(fs::path(kSourceFolder) / "tests/golden" / language, error))
+        for (const auto& entry :
+             fs::directory_iterator(fs::path(kSourceFolder) / "tests/golden" / language, error))
             if (entry.is_directory()) found.push_back({entry.path(), language});
     }
-    std::sort(found.begin(), found.end(), [](const GoldenCase& a, const GoldenCase& b) { return a.folder < b.folder; });
+    std::sort(found.begin(), found.end(),
+              [](const GoldenCase& a, const GoldenCase& b) { return a.folder < b.folder; });
     return found;
 }
 
@@ -50,7 +53,8 @@ Said run(const GoldenCase& golden) {
     options.machine.machine = (fs::path(kSourceFolder) / "examples/machines/twin-turret").string();
     options.program = (golden.folder / "program.nc").string();
     options.alone = options.variables = true;
-    if (fs::exists(golden.folder / "setup.toml")) options.setup = (golden.folder / "setup.toml").string();
+    if (fs::exists(golden.folder / "setup.toml"))
+        options.setup = (golden.folder / "setup.toml").string();
     std::istringstream sets(content(golden.folder / "sets"));
     for (std::string line; std::getline(sets, line);)
         if (!line.empty()) options.machine.sets.push_back(line);
@@ -63,18 +67,22 @@ Said run(const GoldenCase& golden) {
     said.events.assign(text, size);
     std::free(text);
     const std::string folder = golden.folder.string() + "/";
-    for (std::size_t at; (at = said.events.find(folder)) != std::string::npos;) said.events.erase(at, folder.size());
+    for (std::size_t at; (at = said.events.find(folder)) != std::string::npos;)
+        said.events.erase(at, folder.size());
     return said;
 }
 
 // What the simulated machine tells, without times and summary.
 Said run_machine(const GoldenCase& golden) {
-    std::string command = "cd '" + golden.folder.string() + "' && " + std::string(kProgramFolder) + "/polyturn run --virtual --variables --language " + golden.language + " --scenario scenario.toml";
+    std::string command = "cd '" + golden.folder.string() + "' && " + std::string(kProgramFolder) +
+                          "/polyturn run --virtual --variables --language " + golden.language +
+                          " --scenario scenario.toml";
     if (fs::exists(golden.folder / "setup.toml")) command += " --setup setup.toml";
     std::istringstream sets(content(golden.folder / "sets"));
     for (std::string line; std::getline(sets, line);)
         if (!line.empty()) command += " --set '" + line + "'";
-    const fs::path errors = fs::temp_directory_path() / ("polyturn-golden-" + std::to_string(::getpid()));
+    const fs::path errors =
+        fs::temp_directory_path() / ("polyturn-golden-" + std::to_string(::getpid()));
     std::FILE* pipe = ::popen((command + " program.nc 2>'" + errors.string() + "'").c_str(), "r");
     std::string raw;
     char part[4096];
@@ -87,17 +95,21 @@ Said run_machine(const GoldenCase& golden) {
     static const std::regex kTimes(R"re(,"(t|end)":[0-9.e+-]+)re");
     std::istringstream lines(raw);
     for (std::string line; std::getline(lines, line);)
-        if (line.find("\"ev\":\"summary\"") == std::string::npos) said.events += std::regex_replace(line, kTimes, "") + "\n";
+        if (line.find("\"ev\":\"summary\"") == std::string::npos)
+            said.events += std::regex_replace(line, kTimes, "") + "\n";
     return said;
 }
 
 std::string word_of(const std::string& line, const std::string& name) {
     const std::string key = "\"" + name + "\":\"";
     const std::size_t at = line.find(key);
-    return at == std::string::npos ? std::string() : line.substr(at + key.size(), line.find('"', at + key.size()) - at - key.size());
+    return at == std::string::npos
+               ? std::string()
+               : line.substr(at + key.size(), line.find('"', at + key.size()) - at - key.size());
 }
 
-// The exit status says whether there was an error (2: the input could not be read), and a run writes each alarm for people too, and nothing else.
+// The exit status says whether there was an error (2: the input could not be read), and a run
+// writes each alarm for people too, and nothing else.
 void expect_status_and_errors(const Said& said, bool machine) {
     bool error = false, alarm = false, unreadable = false;
     std::istringstream lines(said.events);
@@ -107,25 +119,29 @@ void expect_status_and_errors(const Said& said, bool machine) {
         const std::string severity = word_of(line, "severity"), number = word_of(line, "number");
         const bool is_error = severity.empty() || severity == "error";
         error = error || is_error;
-        unreadable = is_error && said.events == line + "\n" && line.find("\"line\":") == std::string::npos;   // nothing else was said, and no block is named
+        // nothing else was said, and no block is named
+        unreadable =
+            is_error && said.events == line + "\n" && line.find("\"line\":") == std::string::npos;
         if (machine) {
-            EXPECT_NE(said.errors.find(number), std::string::npos) << "alarm " << number << " is not told on standard error:\n" << said.errors;
+            EXPECT_NE(said.errors.find(number), std::string::npos)
+                << "alarm " << number << " is not told on standard error:\n"
+                << said.errors;
         }
     }
     EXPECT_EQ(said.status, unreadable ? 2 : error ? 1 : 0) << said.errors;
-    if (!alarm) {
-        EXPECT_EQ(said.errors, "");
-    }
+    if (!alarm) { EXPECT_EQ(said.errors, ""); }
 }
 
 std::string first_difference(const std::string& want, const std::string& got) {
     std::istringstream a(want), b(got);
     std::string left, right;
     for (int line = 1;; ++line) {
-        const bool more_a = static_cast<bool>(std::getline(a, left)), more_b = static_cast<bool>(std::getline(b, right));
+        const bool more_a = static_cast<bool>(std::getline(a, left)),
+                   more_b = static_cast<bool>(std::getline(b, right));
         if (!more_a && !more_b) return {};
         if (more_a != more_b || left != right)
-            return "line " + std::to_string(line) + "\n  expected " + (more_a ? left : "the end") + "\n  printed  " + (more_b ? right : "the end");
+            return "line " + std::to_string(line) + "\n  expected " + (more_a ? left : "the end") +
+                   "\n  printed  " + (more_b ? right : "the end");
     }
 }
 
@@ -145,7 +161,9 @@ TEST(GoldenPrograms, PrintWhatWasReviewed) {
             ADD_FAILURE() << golden.folder << ": written anew; read the difference";
             continue;
         }
-        EXPECT_FALSE(expected.empty()) << golden.folder << " has no expected.jsonl: it would agree with a program that says nothing";
+        EXPECT_FALSE(expected.empty())
+            << golden.folder
+            << " has no expected.jsonl: it would agree with a program that says nothing";
         EXPECT_EQ(first_difference(expected, said.events), "") << golden.folder;
     }
     EXPECT_FALSE(bless) << "POLYTURN_BLESS is set: run again without it";

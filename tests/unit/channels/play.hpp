@@ -13,7 +13,8 @@
 namespace polyturn::channels::testing {
 
 struct Play {
-    std::vector<std::string> sets;       // parameter lines on top of a lathe channel X Z C with spindle S1
+    // parameter lines on top of a lathe channel X Z C with spindle S1
+    std::vector<std::string> sets;
     std::string language = "fanuc";
     text::ChannelSetup setup;
     bool alone = true;
@@ -21,7 +22,7 @@ struct Play {
 };
 
 struct Played {
-    std::string events;                  // JSON lines
+    std::string events;  // JSON lines
     unsigned errors = 0;
     std::vector<std::string> lines() const {
         std::vector<std::string> out;
@@ -46,17 +47,18 @@ struct Played {
 
 inline std::unique_ptr<params::Table> lathe(const std::vector<std::string>& more) {
     static const char* const kMachine[] = {
-        "N0000 L1=1", "N0000 L2=1", "N0604 L1=1", "N0604 L2=1", "N0607 S1=7", "N1300 L1=2", "N1301 L1=65",
-        "N0002 A1=1", "N0100 A1=88", "N0103 A1=1", "N0106 A1=1", "N0305 A1=8000",
-        "N0002 A2=1", "N0100 A2=90", "N0103 A2=3", "N0106 A2=0", "N0305 A2=8000",
-        "N0002 A5=1", "N0100 A5=67", "N0103 A5=0", "N0106 A5=2",
-        "N0002 A3=2", "N0100 A3=88", "N0103 A3=1", "N0106 A3=1", "N0002 A4=2", "N0100 A4=90", "N0103 A4=3",
-        "N0687 L1=1", "N1400 L1=32", "N2201=500", "N2202=599"};
+        "N0000 L1=1",  "N0000 L2=1",  "N0604 L1=1",  "N0604 L2=1", "N0607 S1=7",    "N1300 L1=2",
+        "N1301 L1=65", "N0002 A1=1",  "N0100 A1=88", "N0103 A1=1", "N0106 A1=1",    "N0305 A1=8000",
+        "N0002 A2=1",  "N0100 A2=90", "N0103 A2=3",  "N0106 A2=0", "N0305 A2=8000", "N0002 A5=1",
+        "N0100 A5=67", "N0103 A5=0",  "N0106 A5=2",  "N0002 A3=2", "N0100 A3=88",   "N0103 A3=1",
+        "N0106 A3=1",  "N0002 A4=2",  "N0100 A4=90", "N0103 A4=3", "N0687 L1=1",    "N1400 L1=32",
+        "N2201=500",   "N2202=599"};
     auto table = std::make_unique<params::Table>(params::defaults());
     const auto put = [&](const std::string& line) {
         auto parsed = params::parse_assignment(line);
         if (!parsed) throw std::runtime_error(line + ": " + parsed.diagnosis().text());
-        if (auto done = params::apply(*table, std::span(&*parsed, 1)); !done) throw std::runtime_error(done.diagnosis().text());
+        if (auto done = params::apply(*table, std::span(&*parsed, 1)); !done)
+            throw std::runtime_error(done.diagnosis().text());
     };
     for (const char* line : kMachine) put(line);
     for (const std::string& line : more) put(line);
@@ -67,8 +69,10 @@ inline std::unique_ptr<params::Table> lathe(const std::vector<std::string>& more
 inline void run_to_end(Language& language) {
     for (int steps = 0; steps < 100'000; ++steps) {
         const Step step = language.step();
-        if (step == Step::AtBarrier) language.barrier_done();
-        else if (step != Step::Continue) return;
+        if (step == Step::AtBarrier)
+            language.barrier_done();
+        else if (step != Step::Continue)
+            return;
     }
 }
 

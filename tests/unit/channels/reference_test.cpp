@@ -1,4 +1,6 @@
 // The manual's lists of codes and words are what the interpreters' tables say.
+#include "channels/fagor/grammar/reference.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -8,10 +10,9 @@
 #include <sstream>
 #include <vector>
 
-#include "channels/fagor/reference.hpp"
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/fanuc/reference.hpp"
-#include "channels/sinumerik/reference.hpp"
+#include "channels/sinumerik/grammar/reference.hpp"
 #include "tests/places.hpp"
 
 namespace polyturn::channels::testing {
@@ -27,8 +28,10 @@ public:
             if (line.empty() || line[0] == '#') continue;
             std::vector<std::string> cells(1);
             for (const char c : line)
-                if (c == '|') cells.emplace_back();
-                else cells.back() += c;
+                if (c == '|')
+                    cells.emplace_back();
+                else
+                    cells.back() += c;
             if (cells.size() != 4) {
                 ADD_FAILURE() << line;
                 continue;
@@ -40,7 +43,8 @@ public:
         if (!column_ || english.empty()) return std::string(english);
         used_.insert(std::string(english));
         const auto found = known_.find(std::string(english));
-        EXPECT_TRUE(found != known_.end() && !found->second.empty()) << "channels/reference_words.txt has no: " << english;
+        EXPECT_TRUE(found != known_.end() && !found->second.empty())
+            << "channels/reference_words.txt has no: " << english;
         return found == known_.end() ? std::string(english) : found->second;
     }
     std::set<std::string> unused() const {
@@ -60,15 +64,19 @@ struct Page {
     const char* language;
     std::string (*print)(const ReferenceWords&);
 };
-constexpr Page kPages[] = {{"fanuc", fanuc::reference_page}, {"fagor", fagor::reference_page}, {"sinumerik", sinumerik::reference_page}};
-constexpr const char* kEndings[] = {"", ".ru", ".cs", ".hu"};   // columns of the words
+constexpr Page kPages[] = {{"fanuc", fanuc::reference_page},
+                           {"fagor", fagor::reference_page},
+                           {"sinumerik", sinumerik::reference_page}};
+constexpr const char* kEndings[] = {"", ".ru", ".cs", ".hu"};  // columns of the words
 
 TEST(LanguageReference, IsCurrentInEveryLanguage) {
     for (std::size_t column = 0; column < std::size(kEndings); ++column) {
         const WordsOf words(column);
         for (const Page& page : kPages) {
             SCOPED_TRACE(page.language + std::string(kEndings[column]));
-            const std::string path = std::string(kSourceFolder) + "/docs/reference_" + page.language + kEndings[column] + ".md", printed = page.print(words);
+            const std::string path = std::string(kSourceFolder) + "/docs/reference_" +
+                                     page.language + kEndings[column] + ".md",
+                              printed = page.print(words);
             if (std::getenv("POLYTURN_BLESS")) {
                 std::ofstream(path) << printed;
                 continue;
@@ -80,12 +88,14 @@ TEST(LanguageReference, IsCurrentInEveryLanguage) {
         }
         for (const std::string& one : words.unused()) ADD_FAILURE() << "no page has: " << one;
     }
-    if (std::getenv("POLYTURN_BLESS")) FAIL() << "written: read the difference, and run again without POLYTURN_BLESS";
+    if (std::getenv("POLYTURN_BLESS"))
+        FAIL() << "written: read the difference, and run again without POLYTURN_BLESS";
 }
 
 TEST(FanucReference, NamesEveryCodeByItsNumber) {
     for (const fanuc::GCode& row : fanuc::g_codes()) {
-        const std::string number = std::to_string(row.tenths / 10) + (row.tenths % 10 ? "." + std::to_string(row.tenths % 10) : "");
+        const std::string number = std::to_string(row.tenths / 10) +
+                                   (row.tenths % 10 ? "." + std::to_string(row.tenths % 10) : "");
         EXPECT_EQ(row.name, "G" + number);
         EXPECT_FALSE(row.text.empty());
     }

@@ -12,17 +12,50 @@ public:
     explicit SerialSink(EventScene scene) : events_(scene, text_, true, 0) {}
     std::vector<std::pair<std::uint64_t, std::string>> events;
 
-    void move(const Move& m, const BlockContext& at) override { events_.move(m, at), take(at); }
-    void dwell(const Dwell& d, const BlockContext& at) override { events_.dwell(d, at), take(at); }
-    void aux(const Aux& a, const BlockContext& at) override { events_.aux(a, at), take(at); }
-    void spindle(const Spindle& s, const BlockContext& at) override { events_.spindle(s, at), take(at); }
-    void wait(const Wait& w, const BlockContext& at) override { events_.wait(w, at), take(at); }
-    void variable(const Variable& v, const BlockContext& at) override { events_.variable(v, at), take(at); }
-    void offset(const OffsetWrite& o, const BlockContext& at) override { events_.offset(o, at), take(at); }
-    void message(std::string_view t, const BlockContext& at) override { events_.message(t, at), take(at); }
-    void stop(const Stop& s, const BlockContext& at) override { events_.stop(s, at), take(at); }
-    void part(double c, const BlockContext& at) override { events_.part(c, at), take(at); }
-    void alarm(const Diagnosis& d, const BlockContext& at) override { events_.alarm(d, at), take(at); }
+    void move(const Move& m, const BlockContext& at) override {
+        events_.move(m, at);
+        take(at);
+    }
+    void dwell(const Dwell& d, const BlockContext& at) override {
+        events_.dwell(d, at);
+        take(at);
+    }
+    void aux(const Aux& a, const BlockContext& at) override {
+        events_.aux(a, at);
+        take(at);
+    }
+    void spindle(const Spindle& s, const BlockContext& at) override {
+        events_.spindle(s, at);
+        take(at);
+    }
+    void wait(const Wait& w, const BlockContext& at) override {
+        events_.wait(w, at);
+        take(at);
+    }
+    void variable(const Variable& v, const BlockContext& at) override {
+        events_.variable(v, at);
+        take(at);
+    }
+    void offset(const OffsetWrite& o, const BlockContext& at) override {
+        events_.offset(o, at);
+        take(at);
+    }
+    void message(std::string_view t, const BlockContext& at) override {
+        events_.message(t, at);
+        take(at);
+    }
+    void stop(const Stop& s, const BlockContext& at) override {
+        events_.stop(s, at);
+        take(at);
+    }
+    void part(double c, const BlockContext& at) override {
+        events_.part(c, at);
+        take(at);
+    }
+    void alarm(const Diagnosis& d, const BlockContext& at) override {
+        events_.alarm(d, at);
+        take(at);
+    }
     void barrier(const BlockContext&) override {}
     void block_end(const BlockContext&) override {}
 
@@ -36,8 +69,9 @@ private:
 };
 
 // Reads `ahead` blocks, goes back to block `back` (0: never), reads to the end.
-inline std::vector<std::pair<std::uint64_t, std::string>> run_with_return(std::string_view language, std::string_view text, std::uint64_t ahead, std::uint64_t back,
-                                                                         const text::ChannelSetup& own = {}) {
+inline std::vector<std::pair<std::uint64_t, std::string>> run_with_return(
+    std::string_view language, std::string_view text, std::uint64_t ahead, std::uint64_t back,
+    const text::ChannelSetup& own = {}) {
     const auto table = lathe({"N0107 A5=3", "N0108 A5=360"});
     MachineView view = make_machine_view(*table, 1);
     view.store->offsets[1].wear[0] = 0.5;
@@ -67,7 +101,8 @@ inline std::vector<std::pair<std::uint64_t, std::string>> run_with_return(std::s
 }
 
 // Whatever block a channel returns to, what follows is what followed the first time.
-inline void expect_same_events_from_every_block(std::string_view language, std::string_view program, const text::ChannelSetup& own = {}) {
+inline void expect_same_events_from_every_block(std::string_view language, std::string_view program,
+                                                const text::ChannelSetup& own = {}) {
     SCOPED_TRACE(std::string(program));
     const auto straight = run_with_return(language, program, 0, 0, own);
     ASSERT_FALSE(straight.empty());

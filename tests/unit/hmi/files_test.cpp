@@ -1,4 +1,5 @@
-// Files: transfer with a checksum, protection, places, comparison; and the page of files by touches and keys.
+// Files: transfer with a checksum, protection, places, comparison; and the page of files by touches
+// and keys.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -8,12 +9,12 @@
 #include <QtTest/QTest>
 #include <random>
 
-#include "hmi/machine/file_work.hpp"
-#include "hmi/machine/job_beside.hpp"
-#include "hmi/machine/text_difference.hpp"
-#include "hmi/screens/compare_page.hpp"
-#include "hmi/screens/program_colours.hpp"
-#include "hmi/screens/programs.hpp"
+#include "hmi/machine/programs/file_work.hpp"
+#include "hmi/machine/programs/job_of_program.hpp"
+#include "hmi/machine/programs/text_difference.hpp"
+#include "hmi/screens/programs/compare_page.hpp"
+#include "hmi/screens/programs/program_colours.hpp"
+#include "hmi/screens/programs/programs.hpp"
 #include "tests/seeds.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
@@ -38,13 +39,17 @@ TEST(Folders, OfTheSystemAreNotOffered) {
     const FolderList root = listFolder("/");
     EXPECT_TRUE(root.readable);
     EXPECT_GT(root.entries.size(), 3u);
-    for (const FileEntry& one : root.entries) EXPECT_FALSE(one.name == "proc" || one.name == "sys" || one.name == "dev") << one.name.toStdString();
+    for (const FileEntry& one : root.entries)
+        EXPECT_FALSE(one.name == "proc" || one.name == "sys" || one.name == "dev")
+            << one.name.toStdString();
     QTemporaryDir folder;
     ASSERT_TRUE(QDir(folder.path()).mkdir("dev"));
-    EXPECT_EQ(listFolder(folder.path()).entries.back().name, "dev") << "elsewhere it is a name like others";
+    EXPECT_EQ(listFolder(folder.path()).entries.back().name, "dev")
+        << "elsewhere it is a name like others";
 }
 
-// With the cursor on «Up» another language, another theme or a restart leave the folder where it is.
+// With the cursor on «Up» another language, another theme or a restart leave the folder where it
+// is.
 TEST(Folders, StayWhereTheyAreWithTheCursorOnUp) {
     QTemporaryDir folder;
     ASSERT_TRUE(QDir(folder.path()).mkpath("jobs/shaft"));
@@ -54,14 +59,18 @@ TEST(Folders, StayWhereTheyAreWithTheCursorOnUp) {
     window.resize(1280, 800);
     window.show();
     for (std::size_t i = 0; i < window.screens().size(); ++i)
-        if (QString(window.screens()[i]->name()) == "programs") window.showScreen(static_cast<int>(i));
+        if (QString(window.screens()[i]->name()) == "programs")
+            window.showScreen(static_cast<int>(i));
     window.screen()->restore("0|" + here + "/.");
-    ASSERT_TRUE(waitFor([&] { return window.desk().folder == here && standsOn(window.screen()->sheets(), "O1.nc"); }));
-    QTest::keyClick(&window, Qt::Key_Home), QTest::keyClick(&window, Qt::Key_PageUp);
+    ASSERT_TRUE(waitFor([&] {
+        return window.context().folder == here && standsOn(window.screen()->sheets(), "O1.nc");
+    }));
+    QTest::keyClick(&window, Qt::Key_Home);
+    QTest::keyClick(&window, Qt::Key_PageUp);
     for (const bool dark : {false, true, false}) {
         window.setDark(dark);
         frames(window, 300);
-        EXPECT_EQ(window.desk().folder.toStdString(), here.toStdString());
+        EXPECT_EQ(window.context().folder.toStdString(), here.toStdString());
     }
 }
 
@@ -70,7 +79,8 @@ TEST(Transfer, BringsTheSameBytesAndLeavesNothingBeside) {
     const QByteArray bytes = QByteArray("N10 G1 X40.\n").repeated(100'000);
     write(folder.filePath("a.nc"), bytes);
     FileProgress progress;
-    const FileOutcome done = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress, kGo);
+    const FileOutcome done =
+        transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress, kGo);
     EXPECT_TRUE(done.ok()) << done.what.toStdString();
     EXPECT_EQ(read(folder.filePath("b.nc")), bytes);
     EXPECT_EQ(progress.done, 2 * bytes.size()) << "written, then read back";
@@ -80,42 +90,53 @@ TEST(Transfer, BringsTheSameBytesAndLeavesNothingBeside) {
 
 TEST(Transfer, ThatArrivedOtherwiseLeavesTheOldFile) {
     QTemporaryDir folder;
-    write(folder.filePath("a.nc"), "new text\n"), write(folder.filePath("b.nc"), "old text\n");
+    write(folder.filePath("a.nc"), "new text\n");
+    write(folder.filePath("b.nc"), "old text\n");
     FileProgress progress;
-    const FileOutcome done = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress, kGo, [](const QString& part) {
-        QFile file(part);   // a medium that turns a bit over
-        ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-        file.write("N");
-    });
+    const FileOutcome done = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress,
+                                      kGo, [](const QString& part) {
+                                          QFile file(part);  // a medium that turns a bit over
+                                          ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+                                          file.write("N");
+                                      });
     EXPECT_EQ(done.kind, FileOutcome::Kind::Differs);
     EXPECT_EQ(read(folder.filePath("b.nc")), "old text\n");
-    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2) << "nothing is left of the transfer";
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2)
+        << "nothing is left of the transfer";
 }
 
 TEST(Transfer, ThatIsStoppedOrBreaksOffLeavesTheOldFile) {
     QTemporaryDir folder;
-    write(folder.filePath("a.nc"), QByteArray(3 << 20, 'x')), write(folder.filePath("b.nc"), "old text\n");
+    write(folder.filePath("a.nc"), QByteArray(3 << 20, 'x'));
+    write(folder.filePath("b.nc"), "old text\n");
     FileProgress progress;
     std::atomic<bool> stop{false};
-    const FileOutcome stopped = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress, stop, [&](const QString&) { stop = true; });
+    const FileOutcome stopped = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress,
+                                         stop, [&](const QString&) { stop = true; });
     EXPECT_EQ(stopped.kind, FileOutcome::Kind::Stopped);
     EXPECT_EQ(read(folder.filePath("b.nc")), "old text\n");
-    const FileOutcome gone = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress, kGo, [](const QString& part) { QFile::remove(part); });   // the stick is pulled
+    // the stick is pulled
+    const FileOutcome gone = transfer(folder.filePath("a.nc"), folder.filePath("b.nc"), progress,
+                                      kGo, [](const QString& part) { QFile::remove(part); });
     EXPECT_EQ(gone.kind, FileOutcome::Kind::Failed);
     EXPECT_EQ(read(folder.filePath("b.nc")), "old text\n");
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
-    EXPECT_EQ(transfer("/nowhere/at/all.nc", folder.filePath("c.nc"), progress, kGo).kind, FileOutcome::Kind::Failed);
-    EXPECT_EQ(transfer(folder.filePath("a.nc"), "/proc/nowhere/a.nc", progress, kGo).kind, FileOutcome::Kind::Failed);
+    EXPECT_EQ(transfer("/nowhere/at/all.nc", folder.filePath("c.nc"), progress, kGo).kind,
+              FileOutcome::Kind::Failed);
+    EXPECT_EQ(transfer(folder.filePath("a.nc"), "/proc/nowhere/a.nc", progress, kGo).kind,
+              FileOutcome::Kind::Failed);
 }
 
 TEST(Transfer, TakesAFolderWithAllThatIsInItButNotIntoItself) {
     QTemporaryDir folder;
     QDir(folder.path()).mkpath("job/sub");
-    write(folder.filePath("job/a.nc"), "A\n"), write(folder.filePath("job/sub/b.nc"), "B\n");
+    write(folder.filePath("job/a.nc"), "A\n");
+    write(folder.filePath("job/sub/b.nc"), "B\n");
     FileProgress progress;
     EXPECT_EQ(transfer(folder.filePath("job"), folder.filePath("copy"), progress, kGo).files, 2);
     EXPECT_EQ(read(folder.filePath("copy/sub/b.nc")), "B\n");
-    EXPECT_FALSE(transfer(folder.filePath("job"), folder.filePath("job/sub/job"), progress, kGo).ok());
+    EXPECT_FALSE(
+        transfer(folder.filePath("job"), folder.filePath("job/sub/job"), progress, kGo).ok());
     EXPECT_TRUE(removeAll(folder.filePath("copy"), 3, kGo).ok());
     EXPECT_FALSE(QFileInfo::exists(folder.filePath("copy")));
 }
@@ -127,18 +148,22 @@ TEST(Transfer, IsRefusedInTheReadersLanguage) {
     write(folder.filePath("a.nc"), "A\n");
     FileProgress progress;
     const std::pair<FileOutcome, QString> kRefused[] = {
-        {transfer("/nowhere/at/all.nc", folder.filePath("c.nc"), progress, kGo), "all.nc: такого файла или папки нет"},
-        {transfer(folder.filePath("sub"), folder.filePath("sub/in"), progress, kGo), "in: так нельзя"},
+        {transfer("/nowhere/at/all.nc", folder.filePath("c.nc"), progress, kGo),
+         "all.nc: такого файла или папки нет"},
+        {transfer(folder.filePath("sub"), folder.filePath("sub/in"), progress, kGo),
+         "in: так нельзя"},
         {rename(folder.filePath("a.nc"), "sub"), "sub: такой файл уже есть"},
         {makeFolder(folder.filePath("a.nc/b")), "b: это не папка"},
     };
     for (const auto& [outcome, told] : kRefused) {
-        speak(Tongue::Russian);
+        speak(DisplayLanguage::Russian);
         EXPECT_EQ(outcome.told(), told);
-        speak(Tongue::Hungarian);
-        EXPECT_FALSE(outcome.told().contains(QRegularExpression("[\u0400-\u04FF]")) || outcome.told() == outcome.what) << outcome.told().toStdString();
+        speak(DisplayLanguage::Hungarian);
+        EXPECT_FALSE(outcome.told().contains(QRegularExpression("[\u0400-\u04FF]")) ||
+                     outcome.told() == outcome.what)
+            << outcome.told().toStdString();
     }
-    speak(Tongue::English);
+    speak(DisplayLanguage::English);
     EXPECT_EQ(kRefused[0].first.told(), "all.nc: No such file or directory");
 }
 
@@ -158,21 +183,29 @@ TEST(Protection, HoldsAgainstDeletingAndNamesWhoMay) {
     ASSERT_TRUE(rename(folder.filePath("job/a.nc"), "b.nc").ok());
     EXPECT_EQ(levelOf(folder.filePath("job/b.nc")), 2) << "it goes along";
     EXPECT_TRUE(removeAll(folder.filePath("job/b.nc"), 2, kGo).ok());
-    EXPECT_EQ(QDir(folder.filePath("job")).entryList(QDir::Files | QDir::Hidden).size(), 0) << "and so does its level";
+    EXPECT_EQ(QDir(folder.filePath("job")).entryList(QDir::Files | QDir::Hidden).size(), 0)
+        << "and so does its level";
     EXPECT_FALSE(rename(folder.filePath("job"), "a/b").ok());
 }
 
 TEST(Places, AreMountedSticksNetworksAndWhatIsConfigured) {
     QTemporaryDir folder;
     write(folder.filePath("places"), "; of the shop\nServer=/srv/nc\nbroken line\n");
-    const auto all = places("/dev/sda1 / ext4 rw 0 0\n/dev/sdb1 /media/op/STICK\\0401 vfat rw 0 0\nserver:/nc /mnt/nc nfs4 rw 0 0\nproc /proc proc rw 0 0\n//pc/share /srv/pc cifs rw 0 0\n", {folder.filePath("places"), "/nowhere"});
+    const auto all = places(
+        "/dev/sda1 / ext4 rw 0 0\n/dev/sdb1 /media/op/STICK\\0401 vfat rw 0 0\n"
+        "server:/nc /mnt/nc nfs4 rw 0 0\nproc /proc proc rw 0 0\n"
+        "//pc/share /srv/pc cifs rw 0 0\n",
+        {folder.filePath("places"), "/nowhere"});
     ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(all[0].name, "Server");
     EXPECT_EQ(all[1].path, "/media/op/STICK 1");
     EXPECT_EQ(all[1].kind, Place::Kind::Removable);
     EXPECT_EQ(all[2].kind, Place::Kind::Network);
     EXPECT_EQ(all[3].path, "/srv/pc");
-    const auto looked = places("systemd-1 /run/media/system/STICK autofs rw 0 0\n/dev/sdb1 /run/media/system/STICK vfat rw 0 0\n", {});
+    const auto looked = places(
+        "systemd-1 /run/media/system/STICK autofs rw 0 0\n"
+        "/dev/sdb1 /run/media/system/STICK vfat rw 0 0\n",
+        {});
     ASSERT_EQ(looked.size(), 1u) << "mounted at a look into it: one stick, two lines";
     EXPECT_EQ(looked[0].name, "STICK");
     ASSERT_TRUE(keepPlace(folder.filePath("places"), "More", "/tmp"));
@@ -196,13 +229,15 @@ TEST(Comparison, MarksTheLineThatIsNotTheSame) {
     EXPECT_EQ(found.lines[3].right, 3);
 }
 
-// Against the truth: the pairs are in order, equal where they say so, nothing is lost, and no longer common text exists (a plain table).
+// Against the truth: the pairs are in order, equal where they say so, nothing is lost, and no
+// longer common text exists (a plain table).
 TEST(Comparison, FindsTheLongestCommonText) {
     std::mt19937 random(test_seed(7));
     for (int round = 0; round < 300; ++round) {
         QStringList a, b;
         for (auto* list : {&a, &b})
-            for (unsigned i = 0, n = random() % 14; i < n; ++i) *list << QString(QChar('a' + static_cast<int>(random() % 4)));
+            for (unsigned i = 0, n = random() % 14; i < n; ++i)
+                *list << QString(QChar('a' + static_cast<int>(random() % 4)));
         const Difference found = differenceOf(a, b, kGo);
         int left = 0, right = 0, same = 0;
         for (const PairedLine& one : found.lines) {
@@ -214,11 +249,16 @@ TEST(Comparison, FindsTheLongestCommonText) {
         }
         ASSERT_EQ(left, a.size());
         ASSERT_EQ(right, b.size());
-        std::vector<std::vector<int>> table(static_cast<std::size_t>(a.size()) + 1, std::vector<int>(static_cast<std::size_t>(b.size()) + 1, 0));
+        std::vector<std::vector<int>> table(
+            static_cast<std::size_t>(a.size()) + 1,
+            std::vector<int>(static_cast<std::size_t>(b.size()) + 1, 0));
         for (std::size_t i = 1; i < table.size(); ++i)
             for (std::size_t j = 1; j < table[0].size(); ++j)
-                table[i][j] = a[static_cast<int>(i) - 1] == b[static_cast<int>(j) - 1] ? table[i - 1][j - 1] + 1 : std::max(table[i - 1][j], table[i][j - 1]);
-        ASSERT_EQ(same, table.back().back()) << a.join("").toStdString() << " " << b.join("").toStdString();
+                table[i][j] = a[static_cast<int>(i) - 1] == b[static_cast<int>(j) - 1]
+                                  ? table[i - 1][j - 1] + 1
+                                  : std::max(table[i - 1][j], table[i][j - 1]);
+        ASSERT_EQ(same, table.back().back())
+            << a.join("").toStdString() << " " << b.join("").toStdString();
     }
 }
 
@@ -233,7 +273,8 @@ TEST(Comparison, OfTwoLongProgramsIsDoneWhileOneWaits) {
 }
 
 // By touches and keys, without a controller.
-// A check of the editor comes with every pause: the jobs beside the program are read when one of them has changed.
+// A check of the editor comes with every pause: the jobs beside the program are read when one of
+// them has changed.
 TEST(JobBesideAProgram, IsReadWhenItHasChanged) {
     QTemporaryDir folder;
     const auto put = [&](const QString& name, const QByteArray& text) {
@@ -241,29 +282,35 @@ TEST(JobBesideAProgram, IsReadWhenItHasChanged) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    put("a.nc", "O1\nM30\n"), put("b.nc", "O2\nM30\n");
-    put("one.job.toml", "name = \"one\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
+    put("a.nc", "O1\nM30\n");
+    put("b.nc", "O2\nM30\n");
+    put("one.job.toml",
+        "name = \"one\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
     const QString a = folder.filePath("a.nc"), b = folder.filePath("b.nc");
-    JobBeside known = jobBeside(a, {});
+    JobOfProgram known = jobOfProgram(a, {});
     EXPECT_EQ(known.job, folder.filePath("one.job.toml"));
     EXPECT_EQ(known.read, 1);
-    for (int i = 0; i < 5; ++i) known = jobBeside(a, known);
+    for (int i = 0; i < 5; ++i) known = jobOfProgram(a, known);
     EXPECT_EQ(known.read, 1);
     EXPECT_EQ(known.job, folder.filePath("one.job.toml"));
-    known = jobBeside(b, known);
+    known = jobOfProgram(b, known);
     EXPECT_EQ(known.job, QString()) << "another program";
-    put("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"b.nc\", language = \"fanuc\" }\n");
-    known = jobBeside(b, known);
+    put("two.job.toml",
+        "name = \"two\"\n[programs]\n1 = { file = \"b.nc\", language = \"fanuc\" }\n");
+    known = jobOfProgram(b, known);
     EXPECT_EQ(known.job, folder.filePath("two.job.toml"));
-    put("two.job.toml", "name = \"two\"\n[programs]\n2 = { file = \"other.nc\", language = \"fanuc\" }\n");
-    EXPECT_EQ(jobBeside(b, known).job, QString());
+    put("two.job.toml",
+        "name = \"two\"\n[programs]\n2 = { file = \"other.nc\", language = \"fanuc\" }\n");
+    EXPECT_EQ(jobOfProgram(b, known).job, QString());
 }
 
-// A line too long for its half goes on below itself, at a blank where there is one: nothing of it is cut.
+// A line too long for its half goes on below itself, at a blank where there is one: nothing of it
+// is cut.
 TEST(ComparePage, LongLinesGoOnBelowThemselves) {
     EXPECT_EQ(ComparePage::pieces("N10 G0 X1", 20), QStringList{"N10 G0 X1"});
     EXPECT_EQ(ComparePage::pieces("", 20), QStringList{""});
-    const QString text = "N10 CYCLE95(\"CONTOUR\",2.5,0.1,0.2,0,0.25,0.1,0.15,9,0,0,1) ; roughing of the outer contour, twice";
+    const QString text =
+        "N10 CYCLE95(\"CONTOUR\",2.5,0.1,0.2,0,0.25,0.1,0.15,9,0,0,1) ; roughing of the outer contour, twice";
     for (const int letters : {10, 23, 40}) {
         const QStringList pieces = ComparePage::pieces(text, letters);
         EXPECT_EQ(pieces.join(""), text);
@@ -275,11 +322,13 @@ TEST(ProgramColours, WordsOfSinumerikAndToolsByName) {
     dress(true);
     QTextDocument text;
     ProgramColours colours(&text, "sinumerik");
-    text.setPlainText("GOTOF END ; T=\"NOTHING\"\nIF R1>2 GOTOB AGAIN\nT=\"ROUGH_80\" D1\nMSG(\"a;b\") G0");
+    text.setPlainText(
+        "GOTOF END ; T=\"NOTHING\"\nIF R1>2 GOTOB AGAIN\nT=\"ROUGH_80\" D1\nMSG(\"a;b\") G0");
     colours.see(0, 3);
     const auto at = [&](int line, int column) {
         for (const QTextLayout::FormatRange& one : text.findBlockByNumber(line).layout()->formats())
-            if (column >= one.start && column < one.start + one.length) return one.format.foreground().color();
+            if (column >= one.start && column < one.start + one.length)
+                return one.format.foreground().color();
         return QColor();
     };
     const Theme& t = theme();
@@ -296,10 +345,13 @@ TEST(ProgramColours, WordsOfSinumerikAndToolsByName) {
 class FilesByHand : public ::testing::Test {
 protected:
     void SetUp() override {
-        write(folder.filePath("a.nc"), "O1\nN10 G0\nM30\n"), write(folder.filePath("b.nc"), "O1\nN10 G1\nM30\n");
+        write(folder.filePath("a.nc"), "O1\nN10 G0\nM30\n");
+        write(folder.filePath("b.nc"), "O1\nN10 G1\nM30\n");
         QDir(folder.path()).mkpath("server");
         Choices choices;
-        choices.instance = "hmi-test-nobody", choices.language = "en", choices.theme = "dark";
+        choices.instance = "hmi-test-nobody";
+        choices.language = "en";
+        choices.theme = "dark";
         window = std::make_unique<MainWindow>(choices);
         window->resize(1280, 800);
         window->show();
@@ -311,7 +363,8 @@ protected:
     FilesPage& page() { return dynamic_cast<Programs&>(*window->screen()).filesPage(); }
     void choose(const QString& name) {
         for (int row = 0; row < page().files().rows(); ++row)
-            if (page().entries()[static_cast<std::size_t>(row)].name == name) return hand->touchCell(page().files(), row, 0);
+            if (page().entries()[static_cast<std::size_t>(row)].name == name)
+                return hand->touchCell(page().files(), row, 0);
         FAIL() << name.toStdString();
     }
     QTemporaryDir folder;
@@ -326,41 +379,53 @@ TEST_F(FilesByHand, CopyIntoAnotherFolderAndReplaceOnlyAfterASecondPress) {
     hand->key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return page().where().endsWith("server"); }));
     hand->soft("Copy to here");
-    ASSERT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath("server/a.nc")) && !page().working(); }));
+    ASSERT_TRUE(waitFor(
+        [&] { return QFileInfo::exists(folder.filePath("server/a.nc")) && !page().working(); }));
     write(folder.filePath("server/a.nc"), "another\n");
     frames(*window, 100);
     hand->soft("Copy to here");
     frames(*window, 200);
     EXPECT_EQ(read(folder.filePath("server/a.nc")), "another\n") << "one press replaces nothing";
     hand->soft("Copy to here");
-    EXPECT_TRUE(waitFor([&] { return read(folder.filePath("server/a.nc")) == "O1\nN10 G0\nM30\n"; }));
+    EXPECT_TRUE(
+        waitFor([&] { return read(folder.filePath("server/a.nc")) == "O1\nN10 G0\nM30\n"; }));
 }
 
 // Name, folder that is shown, language of the channel; then the editor.
 TEST_F(FilesByHand, ANewProgramOpensInTheEditorAndReplacesNothing) {
     hand->soft("New program");
     ASSERT_TRUE(page().naming());
-    hand->type("a.nc"), hand->key(Qt::Key_Return);   // it is there
+    // it is there
+    hand->type("a.nc");
+    hand->key(Qt::Key_Return);
     frames(*window, 100);
     EXPECT_TRUE(page().naming()) << "the name stays, to be mended";
     EXPECT_TRUE(standsOn(window->ownSheets(), "a.nc is there already"));
     EXPECT_EQ(read(folder.filePath("a.nc")), "O1\nN10 G0\nM30\n");
     for (int i = 0; i < 4; ++i) hand->key(Qt::Key_Backspace);
-    hand->type("../x"), hand->key(Qt::Key_Return);
+    hand->type("../x");
+    hand->key(Qt::Key_Return);
     frames(*window, 100);
     EXPECT_TRUE(page().naming());
     for (int i = 0; i < 4; ++i) hand->key(Qt::Key_Backspace);
-    hand->type("O1234"), hand->key(Qt::Key_Return);
+    hand->type("O1234");
+    hand->key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath("O1234.nc")); }));
     EditorPage& editor = dynamic_cast<Programs&>(*window->screen()).editor();
-    ASSERT_TRUE(waitFor([&] { return editor.file().endsWith("O1234.nc") && !editor.opening() && editor.isVisible(); }));
+    ASSERT_TRUE(waitFor([&] {
+        return editor.file().endsWith("O1234.nc") && !editor.opening() && editor.isVisible();
+    }));
     EXPECT_EQ(read(folder.filePath("O1234.nc")), "O1234\n\nM30\n");
     EXPECT_EQ(editor.language(), "fanuc");
 }
 
 TEST(NewProgram, RefusesNamesThatNobodyCouldSeeOrType) {
-    for (const char* good : {"O1234.nc", "shaft 2.nc", "ВАЛ.MPF", "flange-left_2.nc"}) EXPECT_TRUE(mayBeName(good)) << good;
-    for (const QString& bad : {QString(), QString(" a.nc"), QString(".nc"), QString("a/b.nc"), QString("a\tb.nc"), QString("a|b.nc"), QString("a\u200b.nc"), QString("a="), QString("a."), QString(101, 'a')}) EXPECT_FALSE(mayBeName(bad)) << bad.toStdString();
+    for (const char* good : {"O1234.nc", "shaft 2.nc", "ВАЛ.MPF", "flange-left_2.nc"})
+        EXPECT_TRUE(mayBeName(good)) << good;
+    for (const QString& bad : {QString(), QString(" a.nc"), QString(".nc"), QString("a/b.nc"),
+                               QString("a\tb.nc"), QString("a|b.nc"), QString("a\u200b.nc"),
+                               QString("a="), QString("a."), QString(101, 'a')})
+        EXPECT_FALSE(mayBeName(bad)) << bad.toStdString();
     EXPECT_EQ(emptyProgram("O12.nc", "fanuc"), "O12\n\nM30\n");
     EXPECT_EQ(emptyProgram("12.nc", "nct"), "O12\n\nM30\n");
     EXPECT_EQ(emptyProgram("shaft.MPF", "sinumerik"), "\nM30\n");
@@ -382,19 +447,23 @@ TEST_F(FilesByHand, CompareProtectRenameDelete) {
     ASSERT_TRUE(waitFor([&] { return page().chosen() && page().chosen()->readOnly; }));
     frames(*window, 60);
     for (const SoftKey& key : window->softKeys().keys())
-        EXPECT_FALSE(key.enabled && (key.text == "Delete" || key.text == "Rename")) << key.text.toStdString();
-    for (int step = 0; step < 3; ++step) {   // setters, makers, free
+        EXPECT_FALSE(key.enabled && (key.text == "Delete" || key.text == "Rename"))
+            << key.text.toStdString();
+    for (int step = 0; step < 3; ++step) {  // setters, makers, free
         hand->soft("Protect");
         ASSERT_TRUE(waitFor([&] { return !page().working(); }));
         frames(*window, 60);
     }
     ASSERT_FALSE(page().chosen()->readOnly);
-    hand->soft("Rename"), hand->soft("Rename");
+    hand->soft("Rename");
+    hand->soft("Rename");
     ASSERT_TRUE(page().naming());
     for (int i = 0; i < 4; ++i) hand->key(Qt::Key_Backspace);
-    hand->touch(&page().pad(), page().pad().hitOf('7'));   // by touch
-    hand->type(".nc"), hand->key(Qt::Key_Return);
-    ASSERT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath("7.nc")); })) << QDir(folder.path()).entryList().join(' ').toStdString();
+    hand->touch(&page().pad(), page().pad().hitOf('7'));  // by touch
+    hand->type(".nc");
+    hand->key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath("7.nc")); }))
+        << QDir(folder.path()).entryList().join(' ').toStdString();
     frames(*window, 100);
     choose("7.nc");
     hand->soft("Delete");
@@ -407,13 +476,14 @@ TEST_F(FilesByHand, CompareProtectRenameDelete) {
 // A place that does not answer must not stop the screens: what reads it is left behind.
 TEST(Aside, WaitsForNobody) {
     Aside<int> slow;
-    slow.start([](const std::atomic<bool>& stop) {   // who waited for it would wait for ever
+    slow.start([](const std::atomic<bool>& stop) {  // who waited for it would wait for ever
         while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         return 1;
     });
     EXPECT_TRUE(slow.busy());
     EXPECT_FALSE(slow.take().has_value());
-    slow.start([](const std::atomic<bool>&) { return 2; });   // what was asked before is forgotten
+    // what was asked before is forgotten
+    slow.start([](const std::atomic<bool>&) { return 2; });
     EXPECT_EQ(slow.take(), 2);
     EXPECT_FALSE(slow.busy());
 }

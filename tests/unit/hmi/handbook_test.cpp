@@ -1,5 +1,6 @@
-// The handbook in the languages of the screens: page for page, heading for heading, table for table and command for command the English one,
-// and every place that the help key asks for is found in each of them. Reads files only.
+// The handbook in the languages of the screens: page for page, heading for heading, table for table
+// and command for command the English one, and every place that the help key asks for is found in
+// each of them. Reads files only.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -17,7 +18,8 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr const char* kHandbookLanguages[] = {"ru", "cs", "hu"};
-constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md", "builder.md", "shop.md"};
+constexpr const char* kHandbookPages[] = {"README.md",     "operator.md", "setup.md",
+                                          "programmer.md", "builder.md",  "shop.md"};
 
 QString handbookFolder() { return QString(kSourceFolder) + "/docs"; }
 
@@ -27,12 +29,17 @@ QString handbookText(const QString& path) {
     return QString::fromUtf8(file.readAll());
 }
 
-QString pageIn(const QString& english, const char* language) { return english.chopped(3) + '.' + language + ".md"; }
+QString pageIn(const QString& english, const char* language) {
+    return english.chopped(3) + '.' + language + ".md";
+}
 
-// What a page consists of, in order: headings by level, items, pictures, rows of tables with their columns, lines of code. Commands are
-// themselves; what is said beside them (behind # or ;) is the reader's language, and so are lines of code that are shown indented.
+// What a page consists of, in order: headings by level, items, pictures, rows of tables with their
+// columns, lines of code. Commands are themselves; what is said beside them (behind # or ;) is the
+// reader's language, and so are lines of code that are shown indented.
 QStringList skeleton(const QString& markdown) {
-    static const QRegularExpression kHeading("^(#{1,6}) "), kPicture("^!\\[[^\\]]*\\]\\(([^)]+)\\)"), kSaid("\\s+[#;]\\s.*$"), kFolded("^(?:G\\d|P1|T0|M5|M8|[GM]\\d+)\\S*");
+    static const QRegularExpression kHeading("^(#{1,6}) "),
+        kPicture("^!\\[[^\\]]*\\]\\(([^)]+)\\)"), kSaid("\\s+[#;]\\s.*$"),
+        kFolded("^(?:G\\d|P1|T0|M5|M8|[GM]\\d+)\\S*");
     QStringList out;
     QString fence;
     for (const QString& line : markdown.split('\n')) {
@@ -40,7 +47,8 @@ QStringList skeleton(const QString& markdown) {
             fence = fence.isEmpty() ? line : QString();
             out << line;
         } else if (!fence.isEmpty()) {
-            out << (fence == "```sh" ? QString(line).remove(kSaid) : kFolded.match(line).captured());
+            out << (fence == "```sh" ? QString(line).remove(kSaid)
+                                     : kFolded.match(line).captured());
         } else if (const auto heading = kHeading.match(line); heading.hasMatch()) {
             out << heading.captured(1);
         } else if (const auto picture = kPicture.match(line); picture.hasMatch()) {
@@ -58,9 +66,11 @@ QStringList skeleton(const QString& markdown) {
 
 // Parameters, signals and codes stay as they are.
 std::set<QString> namesIn(const QString& markdown) {
-    static const QRegularExpression kName("(?<![\\w#])(?:[A-Z]{2}_[A-Z_]*[A-Z]|[NF][0-9]{4,5}|[GM][0-9]+(?:\\.[0-9])?|#[0-9]{3,5})\\b");
+    static const QRegularExpression kName(
+        "(?<![\\w#])(?:[A-Z]{2}_[A-Z_]*[A-Z]|[NF][0-9]{4,5}|[GM][0-9]+(?:\\.[0-9])?|#[0-9]{3,5})\\b");
     std::set<QString> out;
-    for (auto found = kName.globalMatch(markdown); found.hasNext();) out.insert(found.next().captured());
+    for (auto found = kName.globalMatch(markdown); found.hasNext();)
+        out.insert(found.next().captured());
     return out;
 }
 
@@ -68,18 +78,23 @@ std::set<QString> namesIn(const QString& markdown) {
 std::set<std::pair<QString, QString>> placesAskedFor() {
     static const QRegularExpression kLiteral("\"((?:[^\"\\\\]|\\\\.)*)\""), kPage("^[a-z_]+\\.md$");
     std::set<std::pair<QString, QString>> out;
-    for (QDirIterator all(QString(kSourceFolder) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); all.hasNext();) {
-        QStringList before;                        // a list of places stands above its page
+    for (QDirIterator all(QString(kSourceFolder) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files,
+                          QDirIterator::Subdirectories);
+         all.hasNext();) {
+        QStringList before;  // a list of places stands above its page
         for (QString line : handbookText(all.next()).split('\n')) {
             const bool list = line.contains("kFind[]");
             if (!list && !line.contains(".md\"")) continue;
-            line = line.section("QString(\"#", 0, 0);   // what is told before the page
+            line = line.section("QString(\"#", 0, 0);  // what is told before the page
             QString page;
             for (auto found = kLiteral.globalMatch(line); found.hasNext();) {
                 const QString text = found.next().captured(1);
-                if (list) before << text;
-                else if (kPage.match(text).hasMatch()) page = text;
-                else if (!page.isEmpty() && text.size() > 2) out.insert({page, text});
+                if (list)
+                    before << text;
+                else if (kPage.match(text).hasMatch())
+                    page = text;
+                else if (!page.isEmpty() && text.size() > 2)
+                    out.insert({page, text});
             }
             if (list) continue;
             for (const QString& text : before) out.insert({page, text});
@@ -89,15 +104,18 @@ std::set<std::pair<QString, QString>> placesAskedFor() {
     return out;
 }
 
-// The first line where it stands is the heading or the item itself: so the view comes to rest there, and not where it is only spoken of.
+// The first line where it stands is the heading or the item itself: so the view comes to rest
+// there, and not where it is only spoken of.
 ::testing::AssertionResult standsFirstAtItsPlace(const QString& markdown, const QString& find) {
     const std::vector<HelpSlice> slices = sliceHelp(markdown);
-    if (sliceWith(slices, find, false) < 0) return ::testing::AssertionFailure() << "nowhere: " << find.toStdString();
+    if (sliceWith(slices, find, false) < 0)
+        return ::testing::AssertionFailure() << "nowhere: " << find.toStdString();
     for (const QString& line : markdown.split('\n')) {
         const QString shown = QString(line).remove('*').remove('`');
         if (!shown.contains(find, Qt::CaseInsensitive)) continue;
         if (line.startsWith('#') || line.startsWith("- **")) return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure() << find.toStdString() << " stands first in: " << line.toStdString();
+        return ::testing::AssertionFailure()
+               << find.toStdString() << " stands first in: " << line.toStdString();
     }
     return ::testing::AssertionFailure() << "over the end of a line: " << find.toStdString();
 }
@@ -106,9 +124,11 @@ TEST(Handbook, EveryTranslatedPageIsTheEnglishOneInAnotherLanguage) {
     for (const char* language : kHandbookLanguages)
         for (const char* page : kHandbookPages) {
             SCOPED_TRACE(std::string(page) + " " + language);
-            const QString english = handbookText(handbookFolder() + "/" + page), other = handbookText(handbookFolder() + "/" + pageIn(page, language));
+            const QString english = handbookText(handbookFolder() + "/" + page),
+                          other = handbookText(handbookFolder() + "/" + pageIn(page, language));
             const QStringList wanted = skeleton(english), got = skeleton(other);
-            for (qsizetype i = 0; i < std::min(wanted.size(), got.size()); ++i) ASSERT_EQ(got[i], wanted[i]) << "part " << i;
+            for (qsizetype i = 0; i < std::min(wanted.size(), got.size()); ++i)
+                ASSERT_EQ(got[i], wanted[i]) << "part " << i;
             EXPECT_EQ(got.size(), wanted.size());
             EXPECT_EQ(placesOfPage(other).size(), placesOfPage(english).size());
             EXPECT_EQ(namesIn(other), namesIn(english));
@@ -120,15 +140,21 @@ TEST(Handbook, EveryKeyThatAPageNamesIsOnTheScreens) {
     static const QRegularExpression kNamed("«([^»]+)»"), kPlace(" ?%\\d");
     for (const char* language : {"en", "ru", "cs", "hu"}) {
         const bool english = QString(language) == "en";
-        std::set<QString> words = {"polyturn", "?"};   // a controller's name; a sign in the contour's picture
-        const QString texts = handbookText(QString(kSourceFolder) + "/hmi/translations/polyturn_" + (english ? "ru" : language) + ".ts");
-        const QRegularExpression entry(english ? "<source>([^<]*)</source>" : "<translation>([^<]*)</translation>");
-        for (auto found = entry.globalMatch(texts); found.hasNext();) words.insert(found.next().captured(1).remove(kPlace).simplified());
+        // a controller's name; a sign in the contour's picture
+        std::set<QString> words = {"polyturn", "?"};
+        const QString texts = handbookText(QString(kSourceFolder) + "/hmi/translations/polyturn_" +
+                                           (english ? "ru" : language) + ".ts");
+        const QRegularExpression entry(english ? "<source>([^<]*)</source>"
+                                               : "<translation>([^<]*)</translation>");
+        for (auto found = entry.globalMatch(texts); found.hasNext();)
+            words.insert(found.next().captured(1).remove(kPlace).simplified());
         for (const char* page : kHandbookPages) {
-            const QString text = handbookText(handbookFolder() + "/" + (english ? QString(page) : pageIn(page, language)));
+            const QString text = handbookText(handbookFolder() + "/" +
+                                              (english ? QString(page) : pageIn(page, language)));
             for (auto found = kNamed.globalMatch(text); found.hasNext();) {
                 const QString name = found.next().captured(1).simplified();
-                EXPECT_TRUE(words.contains(name)) << page << " " << language << ": " << name.toStdString();
+                EXPECT_TRUE(words.contains(name))
+                    << page << " " << language << ": " << name.toStdString();
             }
         }
     }
@@ -138,7 +164,9 @@ TEST(Handbook, EveryPlaceThatTheScreensAskForIsFoundInEveryLanguage) {
     std::size_t seen = 0;
     for (const auto& [page, find] : placesAskedFor()) {
         const QString english = handbookText(handbookFolder() + "/" + page);
-        for (const char* language : kHandbookLanguages) ASSERT_TRUE(QFile::exists(handbookFolder() + "/" + pageIn(page, language))) << page.toStdString() << " " << language;
+        for (const char* language : kHandbookLanguages)
+            ASSERT_TRUE(QFile::exists(handbookFolder() + "/" + pageIn(page, language)))
+                << page.toStdString() << " " << language;
         ++seen;
         EXPECT_TRUE(standsFirstAtItsPlace(english, find)) << page.toStdString();
         for (const char* language : kHandbookLanguages) {
@@ -146,7 +174,8 @@ TEST(Handbook, EveryPlaceThatTheScreensAskForIsFoundInEveryLanguage) {
             const HelpPlace place = placeInLanguage(handbookFolder(), {page, find}, language);
             EXPECT_EQ(place.page, pageIn(page, language));
             EXPECT_NE(place.find, find);
-            EXPECT_TRUE(standsFirstAtItsPlace(handbookText(handbookFolder() + "/" + place.page), place.find));
+            EXPECT_TRUE(standsFirstAtItsPlace(handbookText(handbookFolder() + "/" + place.page),
+                                              place.find));
         }
     }
     EXPECT_GE(seen, 15u);
@@ -159,8 +188,11 @@ TEST(Handbook, APlaceIsTheHeadingOfTheSameNumberAndACodeStaysItself) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    write("one.md", "# First\n## Second place\n- **Item**: text\n```\n# no heading\n```\n## Last\nM30\n");
-    write("one.cs.md", "# První\n## Druhé místo\n- **Položka**: text\n```\n# no heading\n```\n## Poslední\nM30\n");
+    write("one.md",
+          "# First\n## Second place\n- **Item**: text\n```\n# no heading\n```\n## Last\nM30\n");
+    write(
+        "one.cs.md",
+        "# První\n## Druhé místo\n- **Položka**: text\n```\n# no heading\n```\n## Poslední\nM30\n");
     write("one.hu.md", "# Első\n");
     write("two.md", "# First\n");
     const auto found = [&](const char* page, const char* find, const char* language) {
@@ -173,7 +205,8 @@ TEST(Handbook, APlaceIsTheHeadingOfTheSameNumberAndACodeStaysItself) {
     EXPECT_EQ(found("one.md", "M30", "cs"), "one.cs.md: M30");
     EXPECT_EQ(found("one.md", "", "cs"), "one.cs.md: ");
     EXPECT_EQ(found("one.md", "Second", "en"), "one.md: Second");
-    EXPECT_EQ(found("one.md", "Second", "hu"), "one.hu.md: Second") << "not the same headings: nothing is guessed";
+    EXPECT_EQ(found("one.md", "Second", "hu"), "one.hu.md: Second")
+        << "not the same headings: nothing is guessed";
     EXPECT_EQ(found("two.md", "First", "cs"), "two.md: First") << "there is no such page in Czech";
 }
 

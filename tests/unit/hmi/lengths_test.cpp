@@ -1,8 +1,9 @@
-// A machine whose measuring devices count inches (N0104 #0; nct_parameters_part1 1.3, 3.3): the screens show and take inches, the store
-// keeps millimetres.
-#include "hmi/machine/lengths.hpp"
-#include "hmi/machine/program_unit.hpp"
-#include "hmi/screens/offsets.hpp"
+// A machine whose measuring devices count inches (N0104 #0; nct_parameters_part1 1.3, 3.3): the
+// screens show and take inches, the store keeps millimetres.
+#include "hmi/machine/live/lengths.hpp"
+
+#include "hmi/machine/programs/program_unit.hpp"
+#include "hmi/screens/tools/offsets.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
@@ -18,9 +19,12 @@ TEST(Lengths, AreShownInTheUnitOfTheMachine) {
         double held;
         const char *text, *name, *perMinute, *perRevolution;
     } facts[] = {
-        {Kind::Millimetre, 3, 25.4, "25.400", "mm", "mm/min", "mm/rev"},     {Kind::Inch, 4, 25.4, "1.0000", "inch", "inch/min", "inch/rev"},
-        {Kind::Inch, 4, -0.0508, "-0.0020", "inch", "inch/min", "inch/rev"}, {Kind::Inch, 5, 0.000254, "0.00001", "inch", "inch/min", "inch/rev"},
-        {Kind::Inch, 4, -0.0001, "0.0000", "inch", "inch/min", "inch/rev"},  {Kind::Degree, 3, 25.4, "25.400", "°", "°/min", "mm/rev"},
+        {Kind::Millimetre, 3, 25.4, "25.400", "mm", "mm/min", "mm/rev"},
+        {Kind::Inch, 4, 25.4, "1.0000", "inch", "inch/min", "inch/rev"},
+        {Kind::Inch, 4, -0.0508, "-0.0020", "inch", "inch/min", "inch/rev"},
+        {Kind::Inch, 5, 0.000254, "0.00001", "inch", "inch/min", "inch/rev"},
+        {Kind::Inch, 4, -0.0001, "0.0000", "inch", "inch/min", "inch/rev"},
+        {Kind::Degree, 3, 25.4, "25.400", "°", "°/min", "mm/rev"},
     };
     for (const auto& one : facts) {
         const LengthUnit unit{one.kind, one.decimals};
@@ -38,19 +42,24 @@ TEST(Lengths, AreShownInTheUnitOfTheMachine) {
     EXPECT_EQ(inch.text(12.7, 0), "1") << "whole numbers have no decimals in any unit";
 }
 
-// 3.3: decimals = value + 1 of millimetres and degrees, value + 2 of inches; turning axes count degrees whatever the channel's unit is.
+// 3.3: decimals = value + 1 of millimetres and degrees, value + 2 of inches; turning axes count
+// degrees whatever the channel's unit is.
 TEST(Lengths, HaveTheDecimalsOfTheIncrementSystem) {
     MachineConfig machine{};
     machine.last_channel = 1;
     AxisConfig slide{}, table{};
-    slide.channel = table.channel = 1, table.rotary = true;
+    slide.channel = table.channel = 1;
+    table.rotary = true;
     struct {
         bool inch;
         std::uint32_t system;
         unsigned linear, rotary;
-    } facts[] = {{false, 1, 2, 2}, {false, 2, 3, 3}, {true, 1, 3, 2}, {true, 2, 4, 3}, {true, 3, 5, 4}};
+    } facts[] = {
+        {false, 1, 2, 2}, {false, 2, 3, 3}, {true, 1, 3, 2}, {true, 2, 4, 3}, {true, 3, 5, 4}};
     for (const auto& one : facts) {
-        machine.channels[0].inch = one.inch, machine.channels[0].increment_system = static_cast<decltype(machine.channels[0].increment_system)>(one.system);
+        machine.channels[0].inch = one.inch;
+        machine.channels[0].increment_system =
+            static_cast<decltype(machine.channels[0].increment_system)>(one.system);
         EXPECT_EQ(lengthUnit(machine, 1).decimals, one.linear) << one.system;
         EXPECT_EQ(lengthUnit(machine, slide).decimals, one.linear) << one.system;
         EXPECT_EQ(lengthUnit(machine, table).decimals, one.rotary) << one.system;
@@ -62,16 +71,25 @@ TEST(Lengths, HaveTheDecimalsOfTheIncrementSystem) {
 TEST(Lengths, AreTypedInTheUnitOfTheField) {
     NumberPad pad(nullptr);
     double present = 25.4, entered = 0;
-    pad.field = [&]() -> std::optional<NumberPad::Field> { return NumberPad::Field{"X", "inch", present, 4, false, 25.4}; };
+    pad.field = [&]() -> std::optional<NumberPad::Field> {
+        return NumberPad::Field{"X", "inch", present, 4, false, 25.4};
+    };
     pad.onInput = [&](double held) { entered = held; };
     struct {
         const char* typed;
         bool added;
         double held;
-    } facts[] = {{"2", false, 50.8}, {"1/2", false, 12.7}, {"+0.001", false, 25.4254}, {"0.001", true, 25.4254}, {"-0.002", true, 25.3492}};
+    } facts[] = {{"2", false, 50.8},
+                 {"1/2", false, 12.7},
+                 {"+0.001", false, 25.4254},
+                 {"0.001", true, 25.4254},
+                 {"-0.002", true, 25.3492}};
     for (const auto& one : facts) {
         pad.type(one.typed);
-        if (!one.added) { EXPECT_NEAR(pad.held().value_or(0), one.typed[0] == '+' ? 0.0254 : one.held, 1e-9) << one.typed; }
+        if (!one.added) {
+            EXPECT_NEAR(pad.held().value_or(0), one.typed[0] == '+' ? 0.0254 : one.held, 1e-9)
+                << one.typed;
+        }
         pad.enter(one.added);
         EXPECT_NEAR(entered, one.held, 1e-9) << one.typed;
     }
@@ -80,9 +98,12 @@ TEST(Lengths, AreTypedInTheUnitOfTheField) {
 // What the controller refuses in millimetres, and an outline, in the unit that is shown and taken.
 TEST(Lengths, InTextsAreToldInTheUnitOfTheScreens) {
     const LengthUnit inch{Kind::Inch, 4}, mm{};
-    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", inch), "wear is 0.0197 inch at the most (N1415)");
-    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", mm), "wear is 0.5 mm at the most (N1415)");
-    EXPECT_EQ(retoldLengths(QString::fromUtf8("износ не больше 25.4 мм (N1415)"), inch), QString::fromUtf8("износ не больше 1 inch (N1415)"));
+    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", inch),
+              "wear is 0.0197 inch at the most (N1415)");
+    EXPECT_EQ(retoldLengths("wear is 0.5 mm at the most (N1415)", mm),
+              "wear is 0.5 mm at the most (N1415)");
+    EXPECT_EQ(retoldLengths(QString::fromUtf8("износ не больше 25.4 мм (N1415)"), inch),
+              QString::fromUtf8("износ не больше 1 inch (N1415)"));
     EXPECT_EQ(retoldLengths("100 mm/min", inch), "100 mm/min");
     EXPECT_EQ(scaledNumbers("X -60:0 Z -25.4:5.08", 1 / 25.4), "X -2.3622:0 Z -1:0.2");
     EXPECT_EQ(scaledNumbers("X -2.5:0 Z -1:.2", 25.4), "X -63.5:0 Z -25.4:5.08");
@@ -90,15 +111,23 @@ TEST(Lengths, InTextsAreToldInTheUnitOfTheScreens) {
 
 TEST(Lengths, OfAProgramAreThoseOfItsLastUnitCode) {
     Live nobody("hmi-test-nobody");
-    const auto inches = [&](const char* language, QStringList lines) { return countsInches(nobody, 1, language, lines, static_cast<int>(lines.size()) - 1); };
+    const auto inches = [&](const char* language, QStringList lines) {
+        return countsInches(nobody, 1, language, lines, static_cast<int>(lines.size()) - 1);
+    };
     struct {
         const char *language, *text;
         bool inch;
-    } facts[] = {{"fanuc", "G20\nX1.", true},          {"fanuc", "G20\nN5G21X1.", false},   {"fanuc", "(G20)\nX1.", false},        {"fanuc", "G71 U2.\nG70 P1 Q2", false},
-                 {"nct", "G020 G0", true},               {"fagor", "G70\nX1", true},           {"fagor", "G70\nG71", false},          {"fagor", "G20", false},
-                 {"sinumerik", "G700\nX1", true},       {"sinumerik", "G70\nG710 X1", false}, {"sinumerik", "X1 ;G70", false},        {"sinumerik", "MSG(\"G70\")", false},
-                 {"fanuc", "G200", false},               {"fanuc", "G20.1", false},             {"fanuc", "G21 (x)\nG20 G99", true}};
-    for (const auto& one : facts) EXPECT_EQ(inches(one.language, QString(one.text).split('\n')), one.inch) << one.language << ": " << one.text;
+    } facts[] = {{"fanuc", "G20\nX1.", true},        {"fanuc", "G20\nN5G21X1.", false},
+                 {"fanuc", "(G20)\nX1.", false},     {"fanuc", "G71 U2.\nG70 P1 Q2", false},
+                 {"nct", "G020 G0", true},           {"fagor", "G70\nX1", true},
+                 {"fagor", "G70\nG71", false},       {"fagor", "G20", false},
+                 {"sinumerik", "G700\nX1", true},    {"sinumerik", "G70\nG710 X1", false},
+                 {"sinumerik", "X1 ;G70", false},    {"sinumerik", "MSG(\"G70\")", false},
+                 {"fanuc", "G200", false},           {"fanuc", "G20.1", false},
+                 {"fanuc", "G21 (x)\nG20 G99", true}};
+    for (const auto& one : facts)
+        EXPECT_EQ(inches(one.language, QString(one.text).split('\n')), one.inch)
+            << one.language << ": " << one.text;
 }
 
 class InchTasks : public Tasks {
@@ -114,7 +143,7 @@ TEST_F(InchTasks, AWearEnteredInInchesIsMillimetresInTheStore) {
     hand.soft("Tool offsets");
     const auto wear = [&] { return live().store(1).offsets[3].wear[0]; };
     ASSERT_TRUE(waitFor([&] { return wear() == 0; }));
-    hand.touchCell(offsets.table(), 2, 5);       // offset 3: X Z R T, then wear X
+    hand.touchCell(offsets.table(), 2, 5);  // offset 3: X Z R T, then wear X
     frames(*window);
     EXPECT_TRUE(standsOn({&offsets.pad()}, "inch"));
     hand.type("-0.002");
@@ -138,8 +167,11 @@ TEST_F(InchTasks, AWearEnteredInInchesIsMillimetresInTheStore) {
     }();
     ASSERT_GE(row, 0);
     hand.touchCell(offsets.table(), row, 2);
-    hand.type("5"), hand.soft("Input");
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - 127) < 1e-9; })) << live().store(1).zeros[2 * kChannelAxes + 1];
+    hand.type("5");
+    hand.soft("Input");
+    EXPECT_TRUE(waitFor([&] {
+        return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - 127) < 1e-9;
+    })) << live().store(1).zeros[2 * kChannelAxes + 1];
     frames(*window);
     EXPECT_EQ(offsets.table().cell(row, 2).text, "5.0000");
 }
@@ -158,7 +190,7 @@ TEST_F(InchTasks, NoScreenSaysMillimetres) {
     Operator(*window).screen("overview");
     frames(*window);
     EXPECT_TRUE(standsOn(window->screen()->sheets(), "inch/min"));
-    noWordIsShortened(*window);   // longer names of units, one digit more
+    noWordIsShortened(*window);  // longer names of units, one digit more
 }
 
 }  // namespace

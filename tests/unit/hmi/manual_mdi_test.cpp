@@ -1,5 +1,6 @@
-// Blocks by hand as an operator gives them: Enter takes a block, Start runs it, and no key changes the mode.
-#include "hmi/screens/manual.hpp"
+// Blocks by hand as an operator gives them: Enter takes a block, Start runs it, and no key changes
+// the mode.
+#include "hmi/screens/overview/manual.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -21,10 +22,14 @@ protected:
     }
     double x() const { return live().status().axes[0].cmd; }
     ChannelMode mode() const { return static_cast<ChannelMode>(live().channel(1).mode); }
-    QString said() const { return window->desk().alarms.all().empty() ? QString() : window->desk().alarms.all().back().text; }
+    QString said() const {
+        return window->context().alarms.all().empty() ? QString()
+                                                      : window->context().alarms.all().back().text;
+    }
 };
 
-// H2: Enter drove the axes, out of automatic mode; the text stayed, and the next block was appended to it.
+// H2: Enter drove the axes, out of automatic mode; the text stayed, and the next block was appended
+// to it.
 TEST_F(MdiTasks, EnterTakesTheBlockAndStartRunsIt) {
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
     ASSERT_TRUE(waitFor([&] { return mode() == ChannelMode::Mdi; }));
@@ -38,21 +43,27 @@ TEST_F(MdiTasks, EnterTakesTheBlockAndStartRunsIt) {
     ASSERT_TRUE(waitFor([&] { return shows({MdiState::Entered}); }));
     hand.type("G0 U6.");
     hand.key(Qt::Key_Return);
-    ASSERT_TRUE(waitFor([&] { return shows({MdiState::Entered, MdiState::Entered}); })) << "a line of its own";
-    EXPECT_TRUE(manual.state().endsWith(' ')) << "the field is empty: " << manual.state().toStdString();
+    ASSERT_TRUE(waitFor([&] {
+        return shows({MdiState::Entered, MdiState::Entered});
+    })) << "a line of its own";
+    EXPECT_TRUE(manual.state().endsWith(' '))
+        << "the field is empty: " << manual.state().toStdString();
     frames(*window, 500);
     EXPECT_EQ(x(), from) << "nothing has moved";
     EXPECT_EQ(state(1), ChannelState::Reset);
     EXPECT_TRUE(standsOn({&manual.side()}, "G98 G0 U4.") && standsOn({&manual.side()}, "G0 U6."));
     hand.soft("Start L1");
-    EXPECT_TRUE(waitFor([&] { return shows({MdiState::Done, MdiState::Done}); })) << said().toStdString();
+    EXPECT_TRUE(waitFor([&] {
+        return shows({MdiState::Done, MdiState::Done});
+    })) << said().toStdString();
     EXPECT_TRUE(waitFor([&] { return std::abs(x() - from - 5) < 1e-6; })) << x() - from;
     frames(*window, 100);
     hand.soft("Start L1");
     frames(*window, 500);
     EXPECT_NEAR(x(), from + 5, 1e-6) << "what has run does not run again";
     EXPECT_EQ(live().channel(1).parts, 0u);
-    noWordIsShortened(*window);   // in all languages, with the list on the page; makes the screens anew
+    // in all languages, with the list on the page; makes the screens anew
+    noWordIsShortened(*window);
     hand.screen("manual");
     hand.touch(&screenOf<Manual>().side(), Manual::kMdiClearHit);
     EXPECT_TRUE(waitFor([&] { return list().count == 0; }));
@@ -87,10 +98,13 @@ TEST_F(MdiTasks, InAHoldTheStartRunsTheBlockAndSaysSoBefore) {
     const double from = x();
     hand.type("G98 G0 U2.");
     hand.key(Qt::Key_Return);
-    ASSERT_TRUE(waitFor([&] { return list().count == 1 || !said().isEmpty(); })) << said().toStdString();
+    ASSERT_TRUE(waitFor([&] { return list().count == 1 || !said().isEmpty(); }))
+        << said().toStdString();
     frames(*window, 500);
     EXPECT_EQ(x(), from);
-    if (list().count == 1) { EXPECT_TRUE(standsOn({&manual.side()}, "A block entered by hand waits")); }
+    if (list().count == 1) {
+        EXPECT_TRUE(standsOn({&manual.side()}, "A block entered by hand waits"));
+    }
     ASSERT_TRUE(g_controller->press("mdi_clear L1"));
     EXPECT_TRUE(waitFor([&] { return list().count == 0; }));
     hand.key(Qt::Key_Escape);

@@ -9,13 +9,15 @@
 
 namespace polyturn::hmi {
 
-// The demonstration machine with further channels, each with X and Z like those of its second one; from `second` on they are machine group 2.
+// The demonstration machine with further channels, each with X and Z like those of its second one;
+// from `second` on they are machine group 2.
 inline QByteArray machineWith(int channels, int second = 99) {
     QFile file(QString(kSourceFolder) + "/examples/machines/twin-turret/machine.params");
     if (!file.open(QIODevice::ReadOnly)) return {};
     const QString text = QString::fromUtf8(file.readAll());
     QString out = text;
-    const QRegularExpression row("^(\\w+) (A3|A4|L2)=([^;\\s]+)", QRegularExpression::MultilineOption);
+    const QRegularExpression row("^(\\w+) (A3|A4|L2)=([^;\\s]+)",
+                                 QRegularExpression::MultilineOption);
     int axis = 7;
     for (int channel = 3; channel <= channels; ++channel, axis += 2) {
         out += QString("\nN0000 L%1=%2\n").arg(channel).arg(channel >= second ? 2 : 1);

@@ -17,12 +17,15 @@ struct Said {
 Said call(const QStringList& arguments) {
     QProcess program;
     QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
-    for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) around.remove(display);
-    around.insert("DISPLAY", ":987");   // where nobody is
+    for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        around.remove(display);
+    around.insert("DISPLAY", ":987");  // where nobody is
     program.setProcessEnvironment(around);
     program.start(QString(kProgramFolder) + "/polyturn-hmi", arguments);
     EXPECT_TRUE(program.waitForFinished(60'000));
-    return {program.exitCode(), program.exitStatus() != QProcess::NormalExit, QString::fromUtf8(program.readAllStandardOutput()), QString::fromUtf8(program.readAllStandardError())};
+    return {program.exitCode(), program.exitStatus() != QProcess::NormalExit,
+            QString::fromUtf8(program.readAllStandardOutput()),
+            QString::fromUtf8(program.readAllStandardError())};
 }
 
 TEST(HmiProgram, PrintsItsHelpWithoutADisplay) {
@@ -30,7 +33,8 @@ TEST(HmiProgram, PrintsItsHelpWithoutADisplay) {
         const Said said = call({asked});
         EXPECT_FALSE(said.died);
         EXPECT_EQ(said.status, 0) << said.err.toStdString();
-        EXPECT_TRUE(said.out.contains("--instance") && said.out.contains("--full-screen")) << said.out.toStdString();
+        EXPECT_TRUE(said.out.contains("--instance") && said.out.contains("--full-screen"))
+            << said.out.toStdString();
     }
 }
 

@@ -1,4 +1,5 @@
-// Screens without a controller: they come up at once, in four languages and two themes, remember where they were, and can be locked.
+// Screens without a controller: they come up at once, in four languages and two themes, remember
+// where they were, and can be locked.
 #include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -26,28 +27,40 @@ TEST(Screens, WaitForAControllerAndSaySo) {
     window.resize(1280, 800);
     window.show();
     frames(window, 50);
-    EXPECT_FALSE(window.desk().live.connected());
-    speak(Tongue::Hungarian);
-    const std::string why = window.desk().live.whyNot();   // in words and by the controller's name, not by that of a segment
-    EXPECT_NE(why.find(std::string(alarm_text(Alarm::SegmentMissing, Tongue::Hungarian).text.substr(0, 10))), std::string::npos) << why;
+    EXPECT_FALSE(window.context().live.connected());
+    speak(DisplayLanguage::Hungarian);
+    // in words and by the controller's name, not by that of a segment
+    const std::string why = window.context().live.whyNot();
+    EXPECT_NE(
+        why.find(std::string(
+            alarm_text(Alarm::SegmentMissing, DisplayLanguage::Hungarian).text.substr(0, 10))),
+        std::string::npos)
+        << why;
     EXPECT_EQ(why.find(".supervisor"), std::string::npos) << why;
-    speak(Tongue::English);
+    speak(DisplayLanguage::English);
     for (std::size_t i = 0; i < window.screens().size(); ++i) {
         window.showScreen(static_cast<int>(i));
-        for (const SoftKey& key : window.screen()->keys())   // nothing that asks the machine may be offered
-            EXPECT_FALSE(key.sign == Sign::Run && key.enabled) << window.screen()->name() << ": " << key.text.toStdString();
-        const bool starts = QString(window.screen()->name()) == "programs";   // its pages start processes
+        // nothing that asks the machine may be offered
+        for (const SoftKey& key : window.screen()->keys())
+            EXPECT_FALSE(key.sign == Sign::Run && key.enabled)
+                << window.screen()->name() << ": " << key.text.toStdString();
+        // its pages start processes
+        const bool starts = QString(window.screen()->name()) == "programs";
         for (int page = 0; page < (starts ? 1 : window.screen()->pages()); ++page) {
             if (!starts) window.screen()->turnTo(page);
             frames(window, 40);
             for (Sheet* sheet : window.screen()->sheets())
-                if (const auto* table = dynamic_cast<Table*>(sheet); table && table->isEmpty()) { EXPECT_FALSE(table->whyEmpty().isEmpty()) << window.screen()->name() << " " << page + 1; }
+                if (const auto* table = dynamic_cast<Table*>(sheet); table && table->isEmpty()) {
+                    EXPECT_FALSE(table->whyEmpty().isEmpty())
+                        << window.screen()->name() << " " << page + 1;
+                }
         }
     }
 }
 
 TEST(Screens, NoWordIsShortenedOnAnyPanel) {
-    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1024, 768), QSize(800, 600), QSize(768, 1024), QSize(1080, 1920)}) {
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1024, 768), QSize(800, 600),
+                             QSize(768, 1024), QSize(1080, 1920)}) {
         MainWindow window(nobody());
         window.resize(size);
         window.show();
@@ -56,24 +69,28 @@ TEST(Screens, NoWordIsShortenedOnAnyPanel) {
     }
 }
 
-// A word with three Latin letters and no Cyrillic one on a Russian screen has been forgotten, unless it is a code or a name everywhere.
+// A word with three Latin letters and no Cyrillic one on a Russian screen has been forgotten,
+// unless it is a code or a name everywhere.
 TEST(Screens, NoWordIsLeftInEnglish) {
     MainWindow window(nobody());
     window.resize(1280, 800);
     window.show();
-    window.setTongue(Tongue::Russian);
+    window.setDisplayLanguage(DisplayLanguage::Russian);
     static const QRegularExpression kLatin("[A-Za-z]{3,}"), kCyrillic("[\u0400-\u04FF]");
     const QStringList kEverywhere{"Polyturn", "Shift", "Space", "Enter", "DHCP", "USB", "PID"};
     std::size_t looked = 0;
-    eachPage(window, ProgramPages::All, [&](const std::string& where, const std::vector<Sheet*>& sheets) {
-        for (Sheet* sheet : sheets)
-            for (const QString& text : sheet->fixedWords()) {
-                ++looked;
-                EXPECT_TRUE(!kLatin.match(text).hasMatch() || kCyrillic.match(text).hasMatch() || kEverywhere.contains(text)) << where << ": " << text.toStdString();
-            }
-    });
+    eachPage(window, ProgramPages::All,
+             [&](const std::string& where, const std::vector<Sheet*>& sheets) {
+                 for (Sheet* sheet : sheets)
+                     for (const QString& text : sheet->fixedWords()) {
+                         ++looked;
+                         EXPECT_TRUE(!kLatin.match(text).hasMatch() ||
+                                     kCyrillic.match(text).hasMatch() || kEverywhere.contains(text))
+                             << where << ": " << text.toStdString();
+                     }
+             });
     EXPECT_GT(looked, 300u);
-    window.setTongue(Tongue::English);
+    window.setDisplayLanguage(DisplayLanguage::English);
 }
 
 // That the test of shortened words can see one: a panel far too small for the words.
@@ -89,20 +106,21 @@ TEST(Screens, ShortenedWordsAreFound) {
 TEST(Screens, ShowTheSameAfterARestart) {
     QTemporaryDir folder;
     Choices choices = nobody();
-    choices.language.clear(), choices.theme.clear();
+    choices.language.clear();
+    choices.theme.clear();
     choices.keptIn = folder.filePath("hmi.ini");
     {
         MainWindow window(choices);
         window.show();
-        window.setTongue(Tongue::Czech);
+        window.setDisplayLanguage(DisplayLanguage::Czech);
         window.setDark(false);
         window.showScreen(2);
     }
     MainWindow window(choices);
     EXPECT_EQ(window.shown(), 2);
-    EXPECT_EQ(spoken(), Tongue::Czech);
+    EXPECT_EQ(spoken(), DisplayLanguage::Czech);
     EXPECT_FALSE(theme().dark);
-    window.setTongue(Tongue::English);
+    window.setDisplayLanguage(DisplayLanguage::English);
     window.setDark(true);
 }
 
@@ -110,18 +128,21 @@ TEST(Screens, ShowTheSameAfterARestart) {
 TEST(Screens, ShowTheSameAfterACrash) {
     QTemporaryDir folder;
     Choices choices = nobody();
-    choices.language.clear(), choices.theme.clear();
+    choices.language.clear();
+    choices.theme.clear();
     choices.keptIn = folder.filePath("hmi.ini");
     MainWindow killed(choices);
     killed.show();
-    killed.setTongue(Tongue::Hungarian);
+    killed.setDisplayLanguage(DisplayLanguage::Hungarian);
     const auto show = [](MainWindow& window, const char* name) {
         for (std::size_t i = 0; i < window.screens().size(); ++i)
-            if (QString(window.screens()[i]->name()) == name) window.showScreen(static_cast<int>(i));
+            if (QString(window.screens()[i]->name()) == name)
+                window.showScreen(static_cast<int>(i));
     };
     frames(killed, 1'500);
     show(killed, "diagnosis");
-    killed.screen()->turnTo(1);                  // within the screen: no other screen is shown behind it
+    // within the screen: no other screen is shown behind it
+    killed.screen()->turnTo(1);
     show(killed, "manual");
     killed.screen()->turnTo(1);
     const QString page = killed.screen()->state();
@@ -130,11 +151,12 @@ TEST(Screens, ShowTheSameAfterACrash) {
         MainWindow again(choices);
         EXPECT_STREQ(again.screen()->name(), "manual");
         EXPECT_EQ(again.screen()->state(), page);
-        EXPECT_EQ(spoken(), Tongue::Hungarian);
+        EXPECT_EQ(spoken(), DisplayLanguage::Hungarian);
         show(again, "diagnosis");
-        EXPECT_TRUE(again.screen()->state().startsWith("1 ")) << again.screen()->state().toStdString();
+        EXPECT_TRUE(again.screen()->state().startsWith("1 "))
+            << again.screen()->state().toStdString();
     }
-    killed.setTongue(Tongue::English);
+    killed.setDisplayLanguage(DisplayLanguage::English);
 }
 
 // A list of a million rows asks for those that are seen.
@@ -144,7 +166,10 @@ TEST(Tables, OfAMillionRowsAreScrolledWithinAFrame) {
     table.columns = {{"No.", 1}, {"Text", 4}};
     int asked = 0;
     table.rows = [] { return 1'000'000; };
-    table.cell = [&](int row, int) -> Table::Cell { return ++asked, Table::Cell{QString::number(row)}; };
+    table.cell = [&](int row, int) -> Table::Cell {
+        ++asked;
+        return Table::Cell{QString::number(row)};
+    };
     for (const Qt::Key key : {Qt::Key_End, Qt::Key_PageUp, Qt::Key_Home, Qt::Key_PageDown}) {
         QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
         table.key(&event);
@@ -153,12 +178,15 @@ TEST(Tables, OfAMillionRowsAreScrolledWithinAFrame) {
     EXPECT_LE(asked, 4 * 2 * (table.visibleRows() + 1));
 }
 
-// A second press confirms the key that was pressed first, not another one that has come to its place.
+// A second press confirms the key that was pressed first, not another one that has come to its
+// place.
 TEST(SoftKeys, AreAskedForOneByOne) {
     SoftKeyBar bar(nullptr);
     bar.resize(1280, 80);
     int first = 0, second = 0;
-    const auto key = [](const char* text, int& count) { return SoftKey{text, [&count] { ++count; }, Sign::Reset, true, false, true, "press again"}; };
+    const auto key = [](const char* text, int& count) {
+        return SoftKey{text, [&count] { ++count; }, Sign::Reset, true, false, true, "press again"};
+    };
     bar.show({key("Reset L1", first)});
     bar.press(0);
     bar.show({key("Reset L2", second)});
@@ -173,15 +201,21 @@ TEST(SoftKeys, AreAskedForOneByOne) {
     EXPECT_EQ(first, 0);
 }
 
-// The same key for another file, tool or value has not been asked for; what it acts on stands in the question.
+// The same key for another file, tool or value has not been asked for; what it acts on stands in
+// the question.
 TEST(SoftKeys, AreAskedAnewForAnotherSubject) {
     SoftKeyBar bar(nullptr);
     bar.resize(1280, 80);
     int first = 0, second = 0;
-    const auto key = [](const char* file, int& count) { return SoftKey{"Delete", [&count] { ++count; }, Sign::Off, true, false, true, "press again", {}, QString("/folder/") + file, file}; };
+    const auto key = [](const char* file, int& count) {
+        return SoftKey{
+            "Delete", [&count] { ++count; },      Sign::Off, true, false, true, "press again",
+            {},       QString("/folder/") + file, file};
+    };
     const auto says = [&](const QString& text) {
         bar.refresh();
-        return std::any_of(bar.items().begin(), bar.items().end(), [&](const Item& one) { return one.text == text; });
+        return std::any_of(bar.items().begin(), bar.items().end(),
+                           [&](const Item& one) { return one.text == text; });
     };
     bar.show({key("a.nc", first)});
     EXPECT_FALSE(says("a.nc"));
@@ -203,7 +237,8 @@ TEST(Screens, AreReachedByKeysAlone) {
     MainWindow window(nobody());
     window.show();
     for (std::size_t i = 0; i < window.screens().size(); ++i) {
-        QTest::keyClick(&window, static_cast<Qt::Key>(Qt::Key_0 + static_cast<int>((i + 1) % 10)), Qt::AltModifier);
+        QTest::keyClick(&window, static_cast<Qt::Key>(Qt::Key_0 + static_cast<int>((i + 1) % 10)),
+                        Qt::AltModifier);
         EXPECT_EQ(window.shown(), static_cast<int>(i));
     }
 }
@@ -218,7 +253,8 @@ TEST(Screens, ALockedPanelTakesNoTouchAndNoKey) {
     EXPECT_EQ(window.shown(), 0);
 }
 
-// A finger that is down when the panel is locked is forgotten: its release, or a tool that it drags, does nothing beneath the cover.
+// A finger that is down when the panel is locked is forgotten: its release, or a tool that it
+// drags, does nothing beneath the cover.
 TEST(Screens, ALockForgetsTheFingerThatIsDown) {
     MainWindow window(nobody());
     window.resize(1280, 800);
@@ -233,8 +269,12 @@ TEST(Screens, ALockForgetsTheFingerThatIsDown) {
     int released = 0;
     held.onCompose = [&](Writer& w) { w.hit(QRectF(0, 0, 100, 100), 1); };
     held.onReleased = [&](int) { ++released; };
-    table.setGeometry(300, 200, 400, 300), held.setGeometry(750, 200, 100, 100);
-    table.show(), held.show(), table.refresh(), held.refresh();
+    table.setGeometry(300, 200, 400, 300);
+    held.setGeometry(750, 200, 100, 100);
+    table.show();
+    held.show();
+    table.refresh();
+    held.refresh();
     const QPoint row = table.cellBox(0, 0).center().toPoint();
     QTest::mouseClick(&table, Qt::LeftButton, {}, row);
     ASSERT_EQ(activated, 1) << "the chosen row, touched again";
@@ -246,13 +286,16 @@ TEST(Screens, ALockForgetsTheFingerThatIsDown) {
 
     MainWindow other(nobody());
     other.show();
-    held.setParent(&other), held.setGeometry(300, 200, 100, 100), held.show(), held.refresh();
+    held.setParent(&other);
+    held.setGeometry(300, 200, 100, 100);
+    held.show();
+    held.refresh();
     QTest::mousePress(&held, Qt::LeftButton, {}, {50, 50});
     QTest::keyClick(&other, Qt::Key_L, Qt::ControlModifier);
     EXPECT_EQ(released, 1) << "what acts while it is held ends with the lock";
     QTest::mouseRelease(&held, Qt::LeftButton, {}, {50, 50});
     EXPECT_EQ(released, 1);
-    held.setParent(nullptr);   // it goes before that window does
+    held.setParent(nullptr);  // it goes before that window does
 }
 
 TEST(Screens, SavePicturesOfThemselves) {

@@ -1,8 +1,9 @@
-// A simulation says what it does: that it is being computed, why there is nothing to play; and it can be stopped.
+// A simulation says what it does: that it is being computed, why there is nothing to play; and it
+// can be stopped.
 #include <QFile>
 
-#include "hmi/screens/graphics.hpp"
-#include "hmi/screens/programs.hpp"
+#include "hmi/screens/graphics/graphics.hpp"
+#include "hmi/screens/programs/programs.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -19,14 +20,21 @@ protected:
     }
     void select(const QString& path) {
         ASSERT_TRUE(g_controller->press("select L1=" + path));
-        ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]) == path; }));
-        frames(*window, 300);   // the job beside it is looked for
+        ASSERT_TRUE(waitFor([&] {
+            return !live().view(1).programs.empty() &&
+                   QString::fromStdString(live().view(1).programs[0]) == path;
+        }));
+        frames(*window, 300);  // the job beside it is looked for
     }
     bool offered(const QString& key) const {
         const auto keys = window->screen()->keys();
-        return std::any_of(keys.begin(), keys.end(), [&](const SoftKey& one) { return one.text == key && one.enabled; });
+        return std::any_of(keys.begin(), keys.end(),
+                           [&](const SoftKey& one) { return one.text == key && one.enabled; });
     }
-    bool says(const QString& text) const { return window->screen()->refresh(), standsOn(window->screen()->sheets(), text); }
+    bool says(const QString& text) const {
+        window->screen()->refresh();
+        return standsOn(window->screen()->sheets(), text);
+    }
     static constexpr const char* kEndless = "O96\nN10 G0 X50.\nG0 X60.\nGOTO 10\n";
 };
 
@@ -40,7 +48,8 @@ TEST_F(SimulationTasks, WithoutAResultItSaysWhy) {
     hand.soft("Simulation");
     select(write("O0094.nc", "O94\nM30\n"));
     hand.soft("Simulation");
-    EXPECT_TRUE(waitFor([&] { return says("Nothing to simulate: the program takes no time"); }, 30));
+    EXPECT_TRUE(
+        waitFor([&] { return says("Nothing to simulate: the program takes no time"); }, 30));
     hand.soft("Simulation");
 }
 

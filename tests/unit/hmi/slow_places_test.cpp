@@ -1,6 +1,8 @@
-// A network place that hangs, played by a pipe that nobody writes into and by a device that waits before each piece: the screens go on,
-// say what is being waited for, and can stop it.
+// A network place that hangs, played by a pipe that nobody writes into and by a device that waits
+// before each piece: the screens go on, say what is being waited for, and can stop it.
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include <QDir>
 #include <QFile>
@@ -9,21 +11,20 @@
 #include <QThread>
 #include <QTimer>
 #include <condition_variable>
-#include <fcntl.h>
 #include <mutex>
-#include <time.h>
 
 #include "hmi/app/help_view.hpp"
-#include "hmi/machine/setup_sheet.hpp"
-#include "hmi/screens/programs.hpp"
+#include "hmi/machine/programs/setup_sheet.hpp"
+#include "hmi/screens/programs/programs.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-// This build is not optimised and shares its computer, which may count time that others had. What is read or laid out at a
-// stretch took many seconds of the processor; the bound of 50 ms is shown by tests/bench/hmi_cost.py.
+// This build is not optimised and shares its computer, which may count time that others had. What
+// is read or laid out at a stretch took many seconds of the processor; the bound of 50 ms is shown
+// by tests/bench/hmi_cost.py.
 constexpr double kTurn_ms = 1'500;
 
 // Hangs at each piece until it is let go.
@@ -70,7 +71,8 @@ struct Beats {
     }
 };
 
-// The longest turn of this thread: time of the processor between two looks, so that a computer that is busy with others does not count.
+// The longest turn of this thread: time of the processor between two looks, so that a computer that
+// is busy with others does not count.
 struct LongestTurn {
     QTimer timer;
     double last = now(), longest = 0;
@@ -79,7 +81,10 @@ struct LongestTurn {
         QObject::connect(&timer, &QTimer::timeout, [this] { look(); });
         timer.start();
     }
-    void look() { longest = std::max(longest, now() - last), last = now(); }
+    void look() {
+        longest = std::max(longest, now() - last);
+        last = now();
+    }
     static double now() {
         timespec time{};
         ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -90,14 +95,19 @@ struct LongestTurn {
 struct SlowPlaces : testing::Test {
     void SetUp() override {
         Choices choices;
-        choices.instance = "hmi-test-nobody", choices.language = "en", choices.theme = "dark";
+        choices.instance = "hmi-test-nobody";
+        choices.language = "en";
+        choices.theme = "dark";
         write("a.nc", "O1\nN10 G0 X1.\nM30\n");
         window = std::make_unique<MainWindow>(choices);
         window->resize(1280, 800);
         window->show();
         window->showScreen(2);
         programs().filesPage().readFolder(folder.path(), "a.nc");
-        ASSERT_TRUE(waitFor([&] { return programs().filesPage().chosen() && programs().filesPage().chosen()->name == "a.nc"; }));
+        ASSERT_TRUE(waitFor([&] {
+            return programs().filesPage().chosen() &&
+                   programs().filesPage().chosen()->name == "a.nc";
+        }));
         hand = std::make_unique<Operator>(*window);
     }
     void write(const QString& name, const QByteArray& bytes) {
@@ -125,7 +135,8 @@ TEST_F(SlowPlaces, AProgramThatDoesNotComeStopsNoScreen) {
     hand->soft("Edit");
     ASSERT_TRUE(waitFor([&] { return !editor().opening() && !editor().file().isEmpty(); }));
     Device device;
-    EXPECT_TRUE(editor().open(folder.filePath("a.nc"), "fanuc"));   // would not come back, if it waited
+    // would not come back, if it waited
+    EXPECT_TRUE(editor().open(folder.filePath("a.nc"), "fanuc"));
     EXPECT_TRUE(editor().opening());
     Beats beats;
     EXPECT_TRUE(waitFor([&] { return beats.count > 20; })) << "the screens go on";
@@ -137,7 +148,8 @@ TEST_F(SlowPlaces, AProgramThatDoesNotComeStopsNoScreen) {
     EXPECT_TRUE(offered("Edit")) << "back at the files";
 }
 
-// It would hold its reader until somebody writes into it: it does not come in at all (ipc/text/regular_file.hpp).
+// It would hold its reader until somebody writes into it: it does not come in at all
+// (ipc/text/regular_file.hpp).
 TEST_F(SlowPlaces, APipeIsNoProgram) {
     const QByteArray pipe = QFile::encodeName(folder.filePath("hangs.nc"));
     ASSERT_EQ(::mkfifo(pipe.constData(), 0600), 0);
@@ -162,7 +174,8 @@ TEST_F(SlowPlaces, AProgramThatComesLateIsEditedThen) {
 
 TEST_F(SlowPlaces, SavingGoesOnBesideAndLeavesTheOldFileWhenItIsStopped) {
     hand->soft("Edit");
-    ASSERT_TRUE(waitFor([&] { return !editor().opening() && !editor().file().isEmpty() && !editor().checking(); }));
+    ASSERT_TRUE(waitFor(
+        [&] { return !editor().opening() && !editor().file().isEmpty() && !editor().checking(); }));
     editor().edit().insertPlainText("(NEW)\n");
     {
         Device device;
@@ -189,13 +202,17 @@ TEST_F(SlowPlaces, SavingGoesOnBesideAndLeavesTheOldFileWhenItIsStopped) {
     ASSERT_TRUE(waitFor([&] { return !editor().saving(); }));
     EXPECT_FALSE(editor().changed());
     EXPECT_TRUE(waitFor([&] { return !editor().checking(); }));
-    EXPECT_TRUE(waitFor([&] { return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden) == QStringList{"a.nc"}; })) << QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).join(' ').toStdString();
+    EXPECT_TRUE(waitFor([&] {
+        return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden) == QStringList{"a.nc"};
+    })) << QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).join(' ').toStdString();
 }
 
 TEST_F(SlowPlaces, TheSetupSheetIsWrittenBesideAndCanBeStopped) {
-    write("part.job.toml", "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
+    write("part.job.toml",
+          "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
     programs().filesPage().readFolder(folder.path(), "part.job.toml");
-    ASSERT_TRUE(waitFor([&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
+    ASSERT_TRUE(waitFor(
+        [&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
     {
         Device device;
         hand->soft("Print setup sheet");
@@ -210,33 +227,44 @@ TEST_F(SlowPlaces, TheSetupSheetIsWrittenBesideAndCanBeStopped) {
     EXPECT_EQ(read("part-setup.pdf").left(5), "%PDF-");
 }
 
-// The programs of the printer are others: here one that takes a sheet, one that refuses it, none at all.
+// The programs of the printer are others: here one that takes a sheet, one that refuses it, none at
+// all.
 TEST_F(SlowPlaces, WhatThePrinterSaysIsTold) {
-    write("part.job.toml", "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
+    write("part.job.toml",
+          "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
     programs().filesPage().readFolder(folder.path(), "part.job.toml");
-    ASSERT_TRUE(waitFor([&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
+    ASSERT_TRUE(waitFor(
+        [&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
     const QByteArray path = qgetenv("PATH");
     ASSERT_TRUE(QDir(folder.path()).mkdir("bin"));
     qputenv("PATH", folder.filePath("bin").toUtf8());
     const auto printed = [&](const QByteArray& lp, const QString& told) {
         if (!lp.isEmpty()) {
             write("bin/lp", "#!/bin/sh\n" + lp);
-            ASSERT_TRUE(QFile::setPermissions(folder.filePath("bin/lp"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+            ASSERT_TRUE(QFile::setPermissions(
+                folder.filePath("bin/lp"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
         }
         QFile::remove(folder.filePath("part-setup.pdf"));
         hand->soft("Print setup sheet");
-        EXPECT_TRUE(waitFor([&] { return standsOn(window->ownSheets(), told); })) << told.toStdString();
+        EXPECT_TRUE(waitFor([&] { return standsOn(window->ownSheets(), told); }))
+            << told.toStdString();
     };
     printed({}, "Saved: part-setup.pdf");
     printed("case $1 in */part-setup.pdf) exit 0;; esac\nexit 9\n", "Printed: part-setup.pdf");
-    printed("echo 'lp: Error - No default destination.' >&2\nexit 1\n", "The printer refused it: lp: Error - No default destination.");
+    printed("echo 'lp: Error - No default destination.' >&2\nexit 1\n",
+            "The printer refused it: lp: Error - No default destination.");
     qputenv("PATH", path);
 }
 
 // Four megabytes at once: put in piece by piece, coloured where it is seen.
 TEST_F(SlowPlaces, ALongProgramStopsNoScreen) {
     QByteArray text;
-    for (int line = 0; text.size() < 3'900'000; ++line) text += QString("N%1 G1 X%2 Z-%3 F0.25 (pass)\n").arg(line).arg(line % 500 / 7.0, 0, 'f', 3).arg(line % 311 / 3.0, 0, 'f', 3).toUtf8();
+    for (int line = 0; text.size() < 3'900'000; ++line)
+        text += QString("N%1 G1 X%2 Z-%3 F0.25 (pass)\n")
+                    .arg(line)
+                    .arg(line % 500 / 7.0, 0, 'f', 3)
+                    .arg(line % 311 / 3.0, 0, 'f', 3)
+                    .toUtf8();
     write("long.nc", text);
     hand->soft("Edit");
     ASSERT_TRUE(waitFor([&] { return !editor().opening() && !editor().checking(); }));
@@ -250,14 +278,16 @@ TEST_F(SlowPlaces, ALongProgramStopsNoScreen) {
     EXPECT_EQ(editor().edit().textCursor().position(), 0);
     EXPECT_FALSE(editor().changed());
     EXPECT_FALSE(editor().edit().document()->isUndoAvailable());
-    const auto coloured = [&](const QTextBlock& block) { return !block.layout()->formats().isEmpty(); };
+    const auto coloured = [&](const QTextBlock& block) {
+        return !block.layout()->formats().isEmpty();
+    };
     EXPECT_TRUE(coloured(editor().edit().document()->firstBlock()));
     turn.longest = 0;
     editor().edit().moveCursor(QTextCursor::End);
     frames(*window, 200);
     EXPECT_TRUE(coloured(editor().edit().document()->lastBlock().previous()));
     QTest::keyClicks(&editor().edit(), "M30");
-    QTest::qWait(1'500);                         // it is kept, and copied to be checked
+    QTest::qWait(1'500);  // it is kept, and copied to be checked
     turn.look();
     EXPECT_LT(turn.longest, kTurn_ms);
     EXPECT_TRUE(editor().changed());
@@ -273,9 +303,13 @@ TEST_F(SlowPlaces, OfTwoHundredMegabytesAPartIsEdited) {
         QByteArray piece;
         for (qint64 line = 0; line * kLine < kAll; ++line) {
             char one[48];
-            std::snprintf(one, sizeof one, "N%08lld G1 X%09.4f Z-8.125\n", static_cast<long long>(line), static_cast<double>(line % 9999) / 7);
+            std::snprintf(one, sizeof one, "N%08lld G1 X%09.4f Z-8.125\n",
+                          static_cast<long long>(line), static_cast<double>(line % 9999) / 7);
             piece.append(one, kLine);
-            if (piece.size() >= 1 << 20) file.write(piece), piece.clear();
+            if (piece.size() >= 1 << 20) {
+                file.write(piece);
+                piece.clear();
+            }
         }
         file.write(piece);
     }
@@ -297,7 +331,8 @@ TEST_F(SlowPlaces, OfTwoHundredMegabytesAPartIsEdited) {
     ASSERT_TRUE(editor().open(folder.filePath("die.nc"), "fanuc", 100'000'007, 0));
     ASSERT_TRUE(waitFor([&] { return !editor().opening(); }));
     EXPECT_EQ(editor().part().line, 100'000'007 / kLine);
-    EXPECT_TRUE(firstLine().startsWith(QString("N%1 ").arg(100'000'007 / kLine, 8, 10, QChar('0')))) << firstLine().toStdString();
+    EXPECT_TRUE(firstLine().startsWith(QString("N%1 ").arg(100'000'007 / kLine, 8, 10, QChar('0'))))
+        << firstLine().toStdString();
     const FilePart before = editor().part();
     editor().edit().moveCursor(QTextCursor::Start);
     editor().edit().insertPlainText("(HERE)\n");
@@ -311,8 +346,13 @@ TEST_F(SlowPlaces, OfTwoHundredMegabytesAPartIsEdited) {
     QFile file(folder.filePath("die.nc"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.size(), kAll + 7);
-    const auto at = [&](qint64 place) { return file.seek(place), file.read(10); };
-    const auto name = [&](qint64 line) { return QString("N%1 ").arg(line, 8, 10, QChar('0')).toUtf8(); };
+    const auto at = [&](qint64 place) {
+        file.seek(place);
+        return file.read(10);
+    };
+    const auto name = [&](qint64 line) {
+        return QString("N%1 ").arg(line, 8, 10, QChar('0')).toUtf8();
+    };
     EXPECT_EQ(at(before.from - kLine), name(before.line - 1));
     EXPECT_EQ(at(before.from).left(7), "(HERE)\n");
     EXPECT_EQ(at(before.from + 7), name(before.line));
@@ -338,34 +378,44 @@ TEST_F(SlowPlaces, LinesOfAnotherSystemKeepTheirEnds) {
     EXPECT_TRUE(waitFor([&] { return !editor().checking(); }));
 }
 
-// Another language, another theme, a crash, another program: what has been typed and not saved is still there.
+// Another language, another theme, a crash, another program: what has been typed and not saved is
+// still there.
 TEST_F(SlowPlaces, WhatIsTypedIsNotLost) {
     Choices choices;
-    choices.instance = "hmi-test-nobody", choices.keptIn = folder.filePath("kept.ini");
+    choices.instance = "hmi-test-nobody";
+    choices.keptIn = folder.filePath("kept.ini");
     write("b.nc", "O2\nM30\n");
     const auto programsOf = [](MainWindow& one) -> Programs& {
         for (Screen* screen : one.screens())
             if (auto* found = dynamic_cast<Programs*>(screen)) return *found;
         throw std::runtime_error("no such screen");
     };
-    const auto open = [](MainWindow& one, EditorPage& page) { return waitFor([&] { return one.frame(), !page.opening() && !page.file().isEmpty() && !page.checking(); }); };
+    const auto open = [](MainWindow& one, EditorPage& page) {
+        return waitFor([&] {
+            one.frame();
+            return !page.opening() && !page.file().isEmpty() && !page.checking();
+        });
+    };
     MainWindow killed(choices);
     killed.resize(1280, 800);
     killed.show();
     killed.showScreen(2);
     programsOf(killed).filesPage().readFolder(folder.path(), "a.nc");
-    ASSERT_TRUE(waitFor([&] { return programsOf(killed).filesPage().chosen() && programsOf(killed).filesPage().chosen()->name == "a.nc"; }));
+    ASSERT_TRUE(waitFor([&] {
+        return programsOf(killed).filesPage().chosen() &&
+               programsOf(killed).filesPage().chosen()->name == "a.nc";
+    }));
     Operator other(killed);
     other.soft("Edit");
     ASSERT_TRUE(open(killed, programsOf(killed).editor()));
     programsOf(killed).editor().edit().insertPlainText("(TYPED)\n");
-    other.key(Qt::Key_F11);                      // Russian
+    other.key(Qt::Key_F11);  // Russian
     other.key(Qt::Key_F12);
     ASSERT_TRUE(open(killed, programsOf(killed).editor()));
     EXPECT_TRUE(programsOf(killed).editor().isVisible()) << "the editor is still what is shown";
     EXPECT_EQ(programsOf(killed).editor().edit().toPlainText(), "(TYPED)\nO1\nN10 G0 X1.\nM30\n");
     EXPECT_TRUE(programsOf(killed).editor().changed());
-    killed.setTongue(Tongue::English);
+    killed.setDisplayLanguage(DisplayLanguage::English);
     ASSERT_TRUE(open(killed, programsOf(killed).editor()));
     frames(killed, 2'500);
     {
@@ -381,7 +431,10 @@ TEST_F(SlowPlaces, WhatIsTypedIsNotLost) {
         Operator third(again);
         third.soft("Files");
         programsOf(again).filesPage().readFolder(folder.path(), "b.nc");
-        ASSERT_TRUE(waitFor([&] { return programsOf(again).filesPage().chosen() && programsOf(again).filesPage().chosen()->name == "b.nc"; }));
+        ASSERT_TRUE(waitFor([&] {
+            return programsOf(again).filesPage().chosen() &&
+                   programsOf(again).filesPage().chosen()->name == "b.nc";
+        }));
         third.soft("Edit");
         frames(again, 100);
         EXPECT_TRUE(page.changed());
@@ -391,10 +444,12 @@ TEST_F(SlowPlaces, WhatIsTypedIsNotLost) {
         EXPECT_EQ(read("a.nc"), "(TYPED)\nO1\nN10 G0 X1.\nM30\n");
         frames(*window, 300);
     }
-    EXPECT_FALSE(QFile::exists(choices.keptIn + ".draft")) << "saved: there is nothing to come back";
+    EXPECT_FALSE(QFile::exists(choices.keptIn + ".draft"))
+        << "saved: there is nothing to come back";
 }
 
-// Tables of all codes of a language are the longest: laid out row by row they took a minute of the processor.
+// Tables of all codes of a language are the longest: laid out row by row they took a minute of the
+// processor.
 TEST(HelpPages, OpenAtOnce) {
     HelpView help(nullptr);
     help.resize(1280, 800);
@@ -412,9 +467,11 @@ TEST(HelpPages, OpenAtOnce) {
     }
 }
 
-// What one turn of the event loop has to lay out is bounded, however long the page is; and nothing of the page is lost on the way.
+// What one turn of the event loop has to lay out is bounded, however long the page is; and nothing
+// of the page is lost on the way.
 TEST(HelpPages, AreLaidOutAFewLinesInATurn) {
-    constexpr int kMostBlocks = 130;               // in a turn: six rows of a table, or some paragraphs; two of them at once at first
+    // in a turn: six rows of a table, or some paragraphs; two of them at once at first
+    constexpr int kMostBlocks = 130;
     HelpView help(nullptr);
     help.resize(1280, 800);
     help.show();
@@ -424,11 +481,16 @@ TEST(HelpPages, AreLaidOutAFewLinesInATurn) {
         const QStringList lines = QString::fromUtf8(file.readAll()).split('\n');
         int rows = 0;
         for (const QString& line : lines) rows += line.startsWith('|') && !line.startsWith("| ---");
-        const bool translated = page.count('.') > 1;         // laid out by the same slices: from the middle once is enough
+        // laid out by the same slices: from the middle once is enough
+        const bool translated = page.count('.') > 1;
         if (translated && page.startsWith("reference_") && !page.contains(".ru.")) continue;
-        for (const char* find : translated ? std::vector<const char*>{"TRANS"} : std::vector<const char*>{"", "G54", "TRANS"}) {     // from the top, from the middle
+        // from the top, from the middle
+        for (const char* find : translated ? std::vector<const char*>{"TRANS"}
+                                           : std::vector<const char*>{"", "G54", "TRANS"}) {
             HelpTopic topic;
-            topic.page = page, topic.find = find, topic.code = true;
+            topic.page = page;
+            topic.find = find;
+            topic.code = true;
             help.open(topic);
             const QTextDocument& document = *help.text().document();
             EXPECT_LT(document.blockCount(), kMostBlocks) << page.toStdString();
@@ -438,20 +500,22 @@ TEST(HelpPages, AreLaidOutAFewLinesInATurn) {
                 const int before = document.blockCount();
                 QCoreApplication::processEvents();
                 EXPECT_LT(document.blockCount() - before, kMostBlocks) << page.toStdString();
-                QThread::usleep(200);              // a picture is read aside
+                QThread::usleep(200);  // a picture is read aside
             }
             ASSERT_TRUE(help.complete()) << page.toStdString();
             EXPECT_EQ(help.text().textCursor().selectedText(), chosen) << "the place stays";
-            EXPECT_TRUE(chosen.isEmpty() || help.text().rect().contains(help.text().cursorRect())) << page.toStdString() << ": and is in view";
+            EXPECT_TRUE(chosen.isEmpty() || help.text().rect().contains(help.text().cursorRect()))
+                << page.toStdString() << ": and is in view";
             int shown = 0;
             for (QTextFrame* frame : document.rootFrame()->childFrames())
                 if (auto* table = qobject_cast<QTextTable*>(frame)) shown += table->rows();
             EXPECT_EQ(shown, rows) << page.toStdString();
             const QString text = document.toPlainText();
             int last = 0;
-            for (const QString& line : lines) {     // its chapters, in their order
+            for (const QString& line : lines) {  // its chapters, in their order
                 if (!line.startsWith("## ")) continue;
-                const auto at = text.indexOf(QString(line.mid(3)).remove('`').remove('*').trimmed(), last);
+                const auto at =
+                    text.indexOf(QString(line.mid(3)).remove('`').remove('*').trimmed(), last);
                 EXPECT_GE(at, last) << page.toStdString() << ": " << line.toStdString();
                 last = static_cast<int>(std::max<qsizetype>(at, 0));
             }
@@ -480,7 +544,8 @@ TEST(WholeFiles, AreReplacedWholeAndKeepWhatMayBeDoneWithThem) {
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
     EXPECT_EQ(readText(name, 2, progress, go).kind, FileText::Kind::TooLarge);
     EXPECT_EQ(readText(folder.filePath("none"), 2, progress, go).kind, FileText::Kind::Unreadable);
-    EXPECT_EQ(writeWhole(folder.filePath("no/such/place"), "x", progress, go).kind, FileOutcome::Kind::Failed);
+    EXPECT_EQ(writeWhole(folder.filePath("no/such/place"), "x", progress, go).kind,
+              FileOutcome::Kind::Failed);
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-// Which alarms, warnings and messages stand: all that have stopped something, and what a program wants to be read.
+// Which alarms, warnings and messages stand: all that have stopped something, and what a program
+// wants to be read.
 #include <QFile>
 #include <csignal>
 #include <set>
 
-#include "hmi/screens/alarms.hpp"
+#include "hmi/screens/machine/alarms.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -11,16 +12,22 @@ namespace {
 
 class StandingAlarms : public Tasks {
 protected:
-    const AlarmBook& book() const { return window->desk().alarms; }
+    const AlarmLog& book() const { return window->context().alarms; }
     Plight now() const { return plight(live(), book(), 1); }
     bool stands(const QString& text) const {
         const auto& all = book().all();
-        return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) { return one.standing && (one.number == text || one.text.contains(text)); });
+        return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) {
+            return one.standing && (one.number == text || one.text.contains(text));
+        });
     }
-    std::string told() const {   // for a message: everything that was heard
+    std::string told() const {  // for a message: everything that was heard
         std::string out;
-        for (const AlarmEntry& one : book().all()) out += one.number.toStdString() + " " + one.text.toStdString() + (one.standing ? " stands" : "") + (one.over ? " over" : "") + " ch " + std::to_string(one.channel) + " resets " + std::to_string(one.resets) + "\n";
-        return out + "resets now " + std::to_string(live().nc(signals::cn_reset(1))) + ", step " + std::to_string(live().status().step);
+        for (const AlarmEntry& one : book().all())
+            out += one.number.toStdString() + " " + one.text.toStdString() +
+                   (one.standing ? " stands" : "") + (one.over ? " over" : "") + " ch " +
+                   std::to_string(one.channel) + " resets " + std::to_string(one.resets) + "\n";
+        return out + "resets now " + std::to_string(live().nc(signals::cn_reset(1))) + ", step " +
+               std::to_string(live().status().step);
     }
     void run(const char* lines) {
         const QString file = g_controller->folder.filePath("standing.nc");
@@ -29,14 +36,16 @@ protected:
         program.write(lines);
         program.close();
         ASSERT_TRUE(g_controller->press("reference all"));
-        ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
+        ASSERT_TRUE(waitFor(
+            [&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
         ASSERT_TRUE(g_controller->press("mode L1=auto"));
         ASSERT_TRUE(g_controller->press("select L1=" + file));
         ASSERT_TRUE(g_controller->press("cycle_start L1"));
     }
     void stopAndOn(const std::function<void()>& look) {
         ASSERT_TRUE(g_controller->press("emergency_stop"));
-        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0 && book().standing() != nullptr; }));
+        ASSERT_TRUE(waitFor(
+            [&] { return live().status().machine_state == 0 && book().standing() != nullptr; }));
         look();
         ASSERT_TRUE(g_controller->press("machine_on"));
         ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }));
@@ -50,22 +59,28 @@ TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
     program.write("O7777\n#3006=1(CHECK THE INSERT)\nG4 P30000\nM0\nM30\n");
     program.close();
     ASSERT_TRUE(g_controller->press("reference all"));
-    ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
+    ASSERT_TRUE(waitFor(
+        [&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
     ASSERT_TRUE(g_controller->press("select L1=" + file));
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return now().kind == Plight::Kind::Stands && now().text.contains("CHECK THE INSERT"); })) << now().text.toStdString();
+    ASSERT_TRUE(waitFor([&] {
+        return now().kind == Plight::Kind::Stands && now().text.contains("CHECK THE INSERT");
+    })) << now().text.toStdString();
     EXPECT_EQ(state(1), ChannelState::ProgramStop);
     EXPECT_EQ(book().standing(1), nullptr) << "it is no alarm";
     Operator hand(*window);
     hand.screen("alarms");
     EXPECT_TRUE(waitFor([&] {
         const auto& rows = screenOf<Alarms>().rows();
-        return std::any_of(rows.begin(), rows.end(), [](const AlarmEntry& one) { return one.text.contains("CHECK THE INSERT"); });
+        return std::any_of(rows.begin(), rows.end(), [](const AlarmEntry& one) {
+            return one.text.contains("CHECK THE INSERT");
+        });
     })) << "it is on the page of what stands";
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; }));
-    EXPECT_TRUE(waitFor([&] { return now().kind == Plight::Kind::None; })) << now().text.toStdString();
+    EXPECT_TRUE(waitFor([&] { return now().kind == Plight::Kind::None; }))
+        << now().text.toStdString();
     g_controller->press("reset");
 }
 
@@ -85,7 +100,8 @@ TEST_F(StandingAlarms, WhatAResetHasEndedDoesNotComeBackWithAStop) {
 
 TEST_F(StandingAlarms, ARefusedKeyIsShownForAWhileOnly) {
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
-    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }));
+    ASSERT_TRUE(waitFor(
+        [&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }));
     g_controller->press("cycle_start L1");
     ASSERT_TRUE(waitFor([&] { return stands("PT0535"); }));
     EXPECT_TRUE(waitFor([&] { return !stands("PT0535"); }));
@@ -108,7 +124,7 @@ TEST_F(StandingAlarms, TheAlarmOfADeadChannelStaysUntilItsReset) {
     EXPECT_TRUE(stands("PT0500"));
     ASSERT_TRUE(g_controller->press("reset L2"));
     ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Reset; }));
-    ASSERT_TRUE(g_controller->press("reset L2"));   // of the one that has come for it
+    ASSERT_TRUE(g_controller->press("reset L2"));  // of the one that has come for it
     EXPECT_TRUE(waitFor([&] { return !stands("PT0500"); }));
 }
 
@@ -125,13 +141,14 @@ TEST_F(StandingAlarms, TheMessageOfAStopIsFoundByItsLine) {
     g_controller->press("reset");
 }
 
-// What the machine's builder tells stands as long as his PLC program tells it, and stops nothing by itself.
+// What the machine's builder tells stands as long as his PLC program tells it, and stops nothing by
+// itself.
 TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
     ASSERT_TRUE(g_controller->set("PLC_NOTE=901"));
     ASSERT_TRUE(waitFor([&] { return stands("PT0811"); }));
     EXPECT_NE(book().told(0), nullptr);
     EXPECT_NE(live().status().machine_state, 0u);
-    const auto inTopBar = [&] {                // it belongs to no channel, so no card shows it
+    const auto inTopBar = [&] {  // it belongs to no channel, so no card shows it
         for (Sheet* sheet : window->ownSheets())
             for (const Item& one : sheet->items())
                 if (one.text.contains("PT0811")) return true;
@@ -145,14 +162,16 @@ TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
     g_controller->run({"release", "--instance", g_controller->name, "PLC_NOTE"});
 }
 
-// Screens that come into a stop that stands: the machine's alarms of this stop stand in them too, those of a stop before do not.
+// Screens that come into a stop that stands: the machine's alarms of this stop stand in them too,
+// those of a stop before do not.
 TEST_F(StandingAlarms, ScreensThatComeLaterShowTheMachinesAlarmsOfThisStop) {
     stopAndOn([] {});
-    QTest::qWait(3'000);                     // another stop, and not the same moment
+    QTest::qWait(3'000);  // another stop, and not the same moment
     ASSERT_TRUE(g_controller->set("PLC_ESTOP=1"));
     ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0; }));
-    g_controller->press("machine_on");       // refused: the second alarm of the machine in this stop
-    const auto ofMachine = [](const AlarmBook& of) {
+    // refused: the second alarm of the machine in this stop
+    g_controller->press("machine_on");
+    const auto ofMachine = [](const AlarmLog& of) {
         std::multiset<std::string> out;
         for (const AlarmEntry& one : of.all())
             if (one.standing && one.channel == 0) out.insert(one.number.toStdString());
@@ -162,21 +181,26 @@ TEST_F(StandingAlarms, ScreensThatComeLaterShowTheMachinesAlarmsOfThisStop) {
     const auto here = ofMachine(book());
     Choices choices;
     choices.instance = g_controller->name.toStdString();
-    choices.language = "en", choices.theme = "dark";
+    choices.language = "en";
+    choices.theme = "dark";
     MainWindow later(choices);
     later.show();
-    EXPECT_TRUE(waitFor([&] { return ofMachine(later.desk().alarms) == here; })) << ofMachine(later.desk().alarms).size() << " of " << here.size();
+    EXPECT_TRUE(waitFor([&] { return ofMachine(later.context().alarms) == here; }))
+        << ofMachine(later.context().alarms).size() << " of " << here.size();
     ASSERT_TRUE(g_controller->set("PLC_ESTOP=0"));
     g_controller->run({"release", "--instance", g_controller->name, "PLC_ESTOP"});
     ASSERT_TRUE(waitFor([&] { return g_controller->press("machine_on"); }));
     ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }));
 }
 
-// Drives that fail one after the other: the first one is the cause, and does not disappear behind the others. Last: the machine stays off.
+// Drives that fail one after the other: the first one is the cause, and does not disappear behind
+// the others. Last: the machine stays off.
 TEST_F(StandingAlarms, TheFirstCauseStaysAmongThoseThatFollow) {
     const auto stands = [&](const char* axis) {
         const auto& all = book().all();
-        return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) { return one.standing && one.number == "PT0532" && one.text.contains(axis); });
+        return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) {
+            return one.standing && one.number == "PT0532" && one.text.contains(axis);
+        });
     };
     for (const char* axis : {"A1", "A2", "A3"}) {
         ASSERT_TRUE(g_controller->set(QString("drive %1=fault").arg(axis)));

@@ -1,9 +1,9 @@
-// What stands in the cards after a reset and in a hold is what acts: the tool in the turret, zero, feed and codes of the last block that has begun.
-// The channel has read far beyond it.
+// What stands in the cards after a reset and in a hold is what acts: the tool in the turret, zero,
+// feed and codes of the last block that has begun. The channel has read far beyond it.
 #include <QFile>
 #include <QRegularExpression>
 
-#include "ipc/machine/work_zeros.hpp"
+#include "ipc/machine/store/work_zeros.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -15,7 +15,9 @@ protected:
     bool card(const QString& text) const {
         const QRegularExpression whole("(^|\\W)" + QRegularExpression::escape(text) + "(\\W|$)");
         for (const Item& item : window->screens()[0]->sheets()[0]->items())
-            if (item.font.family() != lettering(13, false, Face::Program).family() && whole.match(item.text).hasMatch()) return true;
+            if (item.font.family() != lettering(13, false, Face::Program).family() &&
+                whole.match(item.text).hasMatch())
+                return true;
         return false;
     }
     void run(const char* lines, std::uint32_t until) {
@@ -25,17 +27,22 @@ protected:
         file.write(lines);
         file.close();
         ASSERT_TRUE(g_controller->press("reference all"));
-        ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
+        ASSERT_TRUE(waitFor(
+            [&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
         ASSERT_TRUE(g_controller->press("mode L1=auto"));
         ASSERT_TRUE(g_controller->press("select L1=" + path));
         ASSERT_TRUE(waitFor([&] { return live().channel(1).start_missing == 0; }));
         ASSERT_TRUE(g_controller->press("cycle_start L1"));
-        ASSERT_TRUE(waitFor([&] { return live().channel(1).line == until && state(1) == ChannelState::Running; }));
-        frames(*window, 500);   // it is read to its end
+        ASSERT_TRUE(waitFor(
+            [&] { return live().channel(1).line == until && state(1) == ChannelState::Running; }));
+        frames(*window, 500);  // it is read to its end
         window->showScreen(0);
     }
-    static constexpr const char* kReadAhead = "O91\nN10 T0101\nN20 G54 G0 X60. Z20.\nN30 G98 G1 Z-20. F60.\nN40 G55 G1 Z-30. F90.\nN50 T0303\nN60 G3 X62. Z-31. R1.\nN70 M30\n";
-    static constexpr std::uint32_t kSlow = 4;   // line of N30
+    static constexpr const char* kReadAhead =
+        "O91\nN10 T0101\nN20 G54 G0 X60. Z20.\nN30 G98 G1 Z-20. F60.\n"
+        "N40 G55 G1 Z-30. F90.\nN50 T0303\nN60 G3 X62. Z-31. R1.\n"
+        "N70 M30\n";
+    static constexpr std::uint32_t kSlow = 4;  // line of N30
 };
 
 TEST_F(ToolAtWorkTasks, AResetShowsWhatActsAndNotWhatWasReadAhead) {
@@ -75,13 +82,17 @@ TEST_F(ToolAtWorkTasks, TheToolInTheTurretIsKnownWithoutAProgram) {
     ASSERT_FALSE(HasFatalFailure());
     const int station = live().plc(signals::cp_actt(1));
     ASSERT_GT(station, 0);
-    const auto right = [&] { return card(QString("T%1").arg(station)) && !card("no tool known") && (station == 5 || !card("T5")); };
+    const auto right = [&] {
+        return card(QString("T%1").arg(station)) && !card("no tool known") &&
+               (station == 5 || !card("T5"));
+    };
     EXPECT_TRUE(right());
     ASSERT_TRUE(g_controller->press("reset L1"));
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
     frames(*window, 500);
     EXPECT_TRUE(right());
-    ASSERT_TRUE(g_controller->press("select L1=" + QString(kSourceFolder) + "/examples/jobs/shaft/O1001.nc"));
+    ASSERT_TRUE(g_controller->press("select L1=" + QString(kSourceFolder) +
+                                    "/examples/jobs/shaft/O1001.nc"));
     frames(*window, 500);
     EXPECT_TRUE(right()) << "another selection moves no turret";
 }

@@ -1,8 +1,11 @@
-// A machine on the bench: the kernel's cyclic part in this process, with supervisor, store, PLC and channels played by the
-// test. The segments are ordinary objects here: what a test sees is what lies in shared memory when it is for real.
+// A machine on the bench: the kernel's cyclic part in this process, with supervisor, store, PLC and
+// channels played by the test. The segments are ordinary objects here: what a test sees is what
+// lies in shared memory when it is for real.
 //
-//   TickRig rig;                                    // two turrets: L1 with A1 X, A2 Z; L2 with A3 X, A4 Z; S1
-//   rig.push(1, rig.line(1, {10, 0}, 50));          // 10 mm in X at 50 mm/s, from where L1's last record ended
+//   TickRig rig;                                    // two turrets: L1 with A1 X, A2 Z; L2 with A3
+//                                                   X, A4 Z; S1
+//   rig.push(1, rig.line(1, {10, 0}, 50));          // 10 mm in X at 50 mm/s, from where L1's last
+//                                                   record ended
 //   rig.start(1);
 //   rig.run_until_rest();
 #pragma once
@@ -14,20 +17,27 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/cyclic/machine.hpp"
+#include "kernel/tick/machine.hpp"
 
 namespace polyturn::kernel {
 
 class TickRig {
 public:
-    static constexpr std::string_view kProgram = "rig.nc";   // that every channel has from the beginning
-    static constexpr double kVelocity = 200.0, kAcceleration = 2000.0, kJerk = 40'000.0;  // every axis
+    // that every channel has from the beginning
+    static constexpr std::string_view kProgram = "rig.nc";
+    // every axis
+    static constexpr double kVelocity = 200.0, kAcceleration = 2000.0, kJerk = 40'000.0;
 
-    explicit TickRig(const std::function<void(params::Table&, RunOptions&)>& adjust = {}, const std::function<void(StoreSegment&)>& keep = {}) {
+    explicit TickRig(const std::function<void(params::Table&, RunOptions&)>& adjust = {},
+                     const std::function<void(StoreSegment&)>& keep = {}) {
         params::set_defaults(store->parameters.draft());
         params::Table& t = store->parameters.draft();
-        for (unsigned l = 1; l <= kMaxChannels; ++l) params::put(t, params::n0000_machine_group, 0, l);
-        for (unsigned l = 1; l <= 3; ++l) params::put(t, params::n0000_machine_group, 1, l), params::put(t, params::n0604_default_spindle, 1, l);
+        for (unsigned l = 1; l <= kMaxChannels; ++l)
+            params::put(t, params::n0000_machine_group, 0, l);
+        for (unsigned l = 1; l <= 3; ++l) {
+            params::put(t, params::n0000_machine_group, 1, l);
+            params::put(t, params::n0604_default_spindle, 1, l);
+        }
         for (unsigned a = 1; a <= 4; ++a) {
             params::put(t, params::n0002_axis_assign, a <= 2 ? 1 : 2, a);
             params::put(t, params::n0304_rapid, kVelocity * 60, a);
@@ -76,7 +86,8 @@ public:
         return r;
     }
     // A straight move by (dx, dz) from the end of the channel's last one.
-    PathRecord line(unsigned l, std::array<double, 2> by, double feed_mm_s, std::uint32_t flags = 0) {
+    PathRecord line(unsigned l, std::array<double, 2> by, double feed_mm_s,
+                    std::uint32_t flags = 0) {
         PathRecord r = blank(l, RecordKind::Line);
         r.flags |= flags;
         r.axis_count = 2;
@@ -90,7 +101,8 @@ public:
         r.v_max = kVelocity / most;
         r.a_max = kAcceleration / most;
         r.j_max = kJerk / most;
-        r.feed_mode = static_cast<std::uint8_t>((flags & kRapid) ? FeedMode::Rapid : FeedMode::PerMinute);
+        r.feed_mode =
+            static_cast<std::uint8_t>((flags & kRapid) ? FeedMode::Rapid : FeedMode::PerMinute);
         r.feed = feed_mm_s;
         r.spindle = 1;
         return r;
@@ -138,7 +150,8 @@ public:
     }
 
     // --- commands ---
-    void command(CommandKind kind, unsigned l = 0, double value = 1, std::int64_t tick = 0, std::uint32_t object = 0, std::uint32_t flags = 0, std::string_view text = {}) {
+    void command(CommandKind kind, unsigned l = 0, double value = 1, std::int64_t tick = 0,
+                 std::uint32_t object = 0, std::uint32_t flags = 0, std::string_view text = {}) {
         auto& ring = supervisor->commands;
         const auto head = ring.head.load();
         Command& c = ring.slot(head);
@@ -167,7 +180,9 @@ public:
         answer_plc();
         read_log();
     }
-    void run(int ticks) { for (int i = 0; i < ticks; ++i) tick(); }
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) tick();
+    }
     // Until nothing can go on; the number of ticks it took.
     int run_until_idle(int most = 200'000) {
         for (int i = 0; i < most; ++i) {
@@ -184,18 +199,24 @@ public:
     double speed_of(unsigned axis) const { return machine->core().axes[axis - 1].velocity(); }
     const KernelEvent* find(KernelEventKind kind, unsigned l = 0, std::uint64_t note = 0) const {
         for (const KernelEvent& e : log)
-            if (e.kind == static_cast<std::uint32_t>(kind) && (l == 0 || e.channel == l) && (note == 0 || e.note == note)) return &e;
+            if (e.kind == static_cast<std::uint32_t>(kind) && (l == 0 || e.channel == l) &&
+                (note == 0 || e.note == note))
+                return &e;
         return nullptr;
     }
     bool alarmed(Alarm number, unsigned l = 0) const {
         for (const KernelEvent& e : log)
             if (e.code == static_cast<int>(number) && (l == 0 || e.channel == l) &&
-                (e.kind == static_cast<std::uint32_t>(KernelEventKind::Alarm) || e.kind == static_cast<std::uint32_t>(KernelEventKind::Message)))
+                (e.kind == static_cast<std::uint32_t>(KernelEventKind::Alarm) ||
+                 e.kind == static_cast<std::uint32_t>(KernelEventKind::Message)))
                 return true;
         return false;
     }
     // Time of an event in ticks, its part of a tick included.
-    double when(const KernelEvent* e) const { return e ? static_cast<double>(e->tick) + e->offset_s / machine->core().config.tick_s : -1.0; }
+    double when(const KernelEvent* e) const {
+        return e ? static_cast<double>(e->tick) + e->offset_s / machine->core().config.tick_s
+                 : -1.0;
+    }
 
     // Played parts a test may change.
     std::function<void(const PlcInputs&, PlcOutputs&)> plc_program = lathe;
@@ -216,8 +237,10 @@ public:
         for (std::size_t a = 1; a <= 4; ++a) out.signal[signals::ap_paxena(a)] = 1;
         for (std::size_t l = 1; l <= 3; ++l) {
             const int code = in.signal[signals::cn_mcode(l)];
-            if (out.signal[signals::cp_mfin(l)] != in.signal[signals::cn_mstr(l)] && code >= 3 && code <= 5) out.signal[signals::sp_rot(1)] = code;
-            out.signal[signals::cp_jogfd(l)] = 20;   // 12.6 m/min
+            if (out.signal[signals::cp_mfin(l)] != in.signal[signals::cn_mstr(l)] && code >= 3 &&
+                code <= 5)
+                out.signal[signals::sp_rot(1)] = code;
+            out.signal[signals::cp_jogfd(l)] = 20;  // 12.6 m/min
             out.signal[signals::cp_mfin(l)] = in.signal[signals::cn_mstr(l)];
             out.signal[signals::cp_sfin(l)] = in.signal[signals::cn_sstr(l)];
             out.signal[signals::cp_tfin(l)] = in.signal[signals::cn_tstr(l)];
@@ -226,9 +249,12 @@ public:
     }
 
 private:
-    // As a channel does it: no path goes round a corner at speed. Of lines; what was pushed so long ago that it is driven already rests at its end.
+    // As a channel does it: no path goes round a corner at speed. Of lines; what was pushed so long
+    // ago that it is driven already rests at its end.
     static void stop_at_corner(auto& ring, std::uint64_t last, const PathRecord& record) {
-        if (last == ~0ull || record.kind != static_cast<std::uint8_t>(RecordKind::Line) || (record.flags & kThread)) return;
+        if (last == ~0ull || record.kind != static_cast<std::uint8_t>(RecordKind::Line) ||
+            (record.flags & kThread))
+            return;
         PathRecord& before = ring.slot(last);
         const auto way = [](const PathRecord& r, std::size_t axis) {
             for (std::size_t i = 0; i < r.axis_count; ++i)
@@ -267,11 +293,13 @@ private:
     }
     void read_log() {
         const auto head = kernel->log.head.load();
-        for (auto i = supervisor->log_tail.tail.load(); i < head; ++i) log.push_back(kernel->log.slot(i));
+        for (auto i = supervisor->log_tail.tail.load(); i < head; ++i)
+            log.push_back(kernel->log.slot(i));
         supervisor->log_tail.tail.store(head);
     }
     std::array<std::array<double, 2>, 3> at_{};
-    std::array<std::uint64_t, 3> last_line_{~0ull, ~0ull, ~0ull};   // index of the last one that was pushed
+    // index of the last one that was pushed
+    std::array<std::uint64_t, 3> last_line_{~0ull, ~0ull, ~0ull};
     std::uint32_t lines_ = 0;
     std::uint64_t notes_ = 0;
 };

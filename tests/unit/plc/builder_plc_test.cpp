@@ -1,11 +1,13 @@
-// A PLC in a library of its own: what is wrong with a file, and what a PLC does that begins beside a machine.
+// A PLC in a library of its own: what is wrong with a file, and what a PLC does that begins beside
+// a machine.
 #include "kernel/plc/builder_plc.hpp"
-#include "tests/places.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <string>
+
+#include "tests/places.hpp"
 
 namespace polyturn::plc {
 namespace {
@@ -48,8 +50,13 @@ TEST(LathePlcStart, TakesTheFirstCodeOfAFreshMachine) {
 }
 
 TEST(BuilderPlcLoad, SaysWhatIsWrongWithAFile) {
-    struct Row { std::string library; Alarm alarm; };
-    for (const Row& row : {Row{"/nowhere/plc.so", Alarm::PlcLoad}, Row{std::string(kSourceFolder) + "/LICENSE", Alarm::PlcLoad}, Row{"libm.so.6", Alarm::PlcLoad}}) {
+    struct Row {
+        std::string library;
+        Alarm alarm;
+    };
+    for (const Row& row : {Row{"/nowhere/plc.so", Alarm::PlcLoad},
+                           Row{std::string(kSourceFolder) + "/LICENSE", Alarm::PlcLoad},
+                           Row{"libm.so.6", Alarm::PlcLoad}}) {
         SCOPED_TRACE(row.library);
         const auto plc = BuilderPlc::load(row.library);
         ASSERT_FALSE(plc);

@@ -13,10 +13,12 @@
 namespace polyturn::plc {
 namespace {
 
-// A machine of two channels, a PLC cycle of 10 ticks of 1 ms; signals go by the names that the PLC itself asks for.
+// A machine of two channels, a PLC cycle of 10 ticks of 1 ms; signals go by the names that the PLC
+// itself asks for.
 class LatheRig : public ::testing::Test {
 protected:
-    static std::int32_t slot_of(std::vector<std::string>& names, const char* name, std::uint32_t instance) {
+    static std::int32_t slot_of(std::vector<std::string>& names, const char* name,
+                                std::uint32_t instance) {
         const std::string full = std::string(name) + " " + std::to_string(instance);
         const auto found = std::find(names.begin(), names.end(), full);
         if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
@@ -29,7 +31,10 @@ protected:
     void SetUp() override {
         nc_names.clear();
         plc_names.clear();
-        parameters = {{"PT_TURRET_TIME", 0.3}, {"PT_CHUCK_TIME", 0.8}, {"PT_TURRET_STATIONS", 12}, {"PT_DRIVEN_SPINDLE", 3}};
+        parameters = {{"PT_TURRET_TIME", 0.3},
+                      {"PT_CHUCK_TIME", 0.8},
+                      {"PT_TURRET_STATIONS", 12},
+                      {"PT_DRIVEN_SPINDLE", 3}};
         restart();
     }
     // A new PLC, with the parameters as they are now; what is not named is 0.
@@ -37,15 +42,25 @@ protected:
         nc_names.clear();
         plc_names.clear();
         plc_ = {};
-        PolyturnPlcHost host{POLYTURN_PLC_API, 16, 96, 32, 256, 0.001,
-                             [](const char* name, std::uint32_t instance) { return slot_of(nc_names, name, instance); },
-                             [](const char* name, std::uint32_t instance) { return slot_of(plc_names, name, instance); },
+        PolyturnPlcHost host{POLYTURN_PLC_API,
+                             16,
+                             96,
+                             32,
+                             256,
+                             0.001,
+                             [](const char* name, std::uint32_t instance) {
+                                 return slot_of(nc_names, name, instance);
+                             },
+                             [](const char* name, std::uint32_t instance) {
+                                 return slot_of(plc_names, name, instance);
+                             },
                              [](const char* number, std::uint32_t, double* value) {
                                  const auto found = parameters.find(number);
                                  *value = found == parameters.end() ? 0.0 : found->second;
                                  return 1;
                              },
-                             nullptr, nullptr};
+                             nullptr,
+                             nullptr};
         ASSERT_EQ(plc_.resolve(host), nullptr);
         nc_.assign(nc_names.size(), 0);
         plc_out_.assign(plc_names.size(), 0);
@@ -55,28 +70,45 @@ protected:
         run();
     }
 
-    std::int32_t& nc(const char* name, unsigned instance = 1) { return nc_.at(static_cast<std::size_t>(slot_of(nc_names, name, instance))); }
-    std::int32_t plc(const char* name, unsigned instance = 1) { return plc_out_.at(static_cast<std::size_t>(slot_of(plc_names, name, instance))); }
+    std::int32_t& nc(const char* name, unsigned instance = 1) {
+        return nc_.at(static_cast<std::size_t>(slot_of(nc_names, name, instance)));
+    }
+    std::int32_t plc(const char* name, unsigned instance = 1) {
+        return plc_out_.at(static_cast<std::size_t>(slot_of(plc_names, name, instance)));
+    }
     std::uint8_t output(std::size_t point) const { return output_.at(point); }
 
     void run(int cycles = 1) {
         for (int i = 0; i < cycles; ++i) {
-            const PolyturnPlcInputs in{cycle_, static_cast<std::int64_t>(cycle_ - 1) * 10, nc_.data(), input_.data()};
+            const PolyturnPlcInputs in{cycle_, static_cast<std::int64_t>(cycle_ - 1) * 10,
+                                       nc_.data(), input_.data()};
             PolyturnPlcOutputs out{plc_out_.data(), output_.data()};
             plc_.cycle(in, out);
             ++cycle_;
         }
     }
-    void m(int code, unsigned channel = 1) { nc("CN_MCODE", channel) = code, ++nc("CN_MSTR", channel), run(); }
-    void t(int code, unsigned channel = 1) { nc("CN_TCODE", channel) = code, ++nc("CN_TSTR", channel), run(); }
+    void m(int code, unsigned channel = 1) {
+        nc("CN_MCODE", channel) = code;
+        ++nc("CN_MSTR", channel);
+        run();
+    }
+    void t(int code, unsigned channel = 1) {
+        nc("CN_TCODE", channel) = code;
+        ++nc("CN_TSTR", channel);
+        run();
+    }
     bool m_done(unsigned channel = 1) { return plc("CP_MFIN", channel) == nc("CN_MSTR", channel); }
     bool t_done(unsigned channel = 1) { return plc("CP_TFIN", channel) == nc("CN_TSTR", channel); }
     // The spindle answers as a real one: flags fall with the command, rise when it is there.
-    void spindle(unsigned s, int reached, int stands) { nc("SN_NS", s) = reached, nc("SN_N0", s) = stands; }
+    void spindle(unsigned s, int reached, int stands) {
+        nc("SN_NS", s) = reached;
+        nc("SN_N0", s) = stands;
+    }
 
     LathePlc plc_;
     std::vector<std::int32_t> nc_, plc_out_;
-    std::vector<std::uint8_t> input_ = std::vector<std::uint8_t>(256), output_ = std::vector<std::uint8_t>(256);
+    std::vector<std::uint8_t> input_ = std::vector<std::uint8_t>(256),
+                              output_ = std::vector<std::uint8_t>(256);
     std::uint64_t cycle_ = 1;
 };
 
@@ -93,7 +125,8 @@ TEST_F(LatheRig, CodesThatMoveNothingAreFinishedInTheSameCycle) {
 }
 
 TEST_F(LatheRig, SpindleCodeIsFinishedAtOnce) {
-    for (const int code : {3, 5, 4, 5}) {   // the other way without a stop waits for the kernel: a test of its own
+    // the other way without a stop waits for the kernel: a test of its own
+    for (const int code : {3, 5, 4, 5}) {
         SCOPED_TRACE(code);
         spindle(1, 0, 0);
         m(code);
@@ -112,7 +145,9 @@ TEST_F(LatheRig, SpindleThatDoesNotComeIntoPositionIsReported) {
 }
 
 TEST_F(LatheRig, LoopIsClosedByItsOwnCodeAndStatesOfTheBuilderGoIntoTheRegister) {
-    parameters["N0823"] = 24, parameters["N0689"] = 20, parameters["N0690"] = 23;
+    parameters["N0823"] = 24;
+    parameters["N0689"] = 20;
+    parameters["N0690"] = 23;
     restart();
     m(24);
     EXPECT_EQ(plc("SP_ROT", 1), 24);
@@ -127,7 +162,8 @@ TEST_F(LatheRig, LoopIsClosedByItsOwnCodeAndStatesOfTheBuilderGoIntoTheRegister)
 }
 
 TEST_F(LatheRig, GearRangeEngagesAtCreepSpeed) {
-    parameters["PT_GEAR_RANGES"] = 2, parameters["PT_GEAR_TIME"] = 0.5;
+    parameters["PT_GEAR_RANGES"] = 2;
+    parameters["PT_GEAR_TIME"] = 0.5;
     restart();
     m(3);
     m(42);
@@ -149,18 +185,26 @@ TEST_F(LatheRig, GearRangeEngagesAtCreepSpeed) {
 }
 
 TEST_F(LatheRig, AutomaticRangeIsTheLowestThatGivesTheSpeed) {
-    parameters["PT_GEAR_RANGES"] = 3, parameters["N0650"] = 500, parameters["N0651"] = 1500, parameters["N0652"] = 4000;
+    parameters["PT_GEAR_RANGES"] = 3;
+    parameters["N0650"] = 500;
+    parameters["N0651"] = 1500;
+    parameters["N0652"] = 4000;
     restart();
     m(40);
-    for (const auto& [rpm, range] : {std::pair{400, 1}, std::pair{1500, 2}, std::pair{1501, 3}, std::pair{9000, 3}}) {
-        nc("CN_SCODE") = rpm, ++nc("CN_SSTR");
+    for (const auto& [rpm, range] :
+         {std::pair{400, 1}, std::pair{1500, 2}, std::pair{1501, 3}, std::pair{9000, 3}}) {
+        nc("CN_SCODE") = rpm;
+        ++nc("CN_SSTR");
         run();
         EXPECT_EQ(plc("SP_RANGE", 1), range) << rpm;
     }
 }
 
 TEST_F(LatheRig, HelpersTakeTheirTimeAndRefuseWhatIsDangerous) {
-    parameters["PT_M_TAILSTOCK"] = 25, parameters["PT_TAILSTOCK_TIME"] = 0.2, parameters["PT_M_CATCHER"] = 60, parameters["PT_CATCHER_TIME"] = 0.1;
+    parameters["PT_M_TAILSTOCK"] = 25;
+    parameters["PT_TAILSTOCK_TIME"] = 0.2;
+    parameters["PT_M_CATCHER"] = 60;
+    parameters["PT_CATCHER_TIME"] = 0.1;
     restart();
     m(25);
     EXPECT_EQ(output(kTailstockOut), 1);
@@ -172,7 +216,8 @@ TEST_F(LatheRig, HelpersTakeTheirTimeAndRefuseWhatIsDangerous) {
     m(3);
     m(26);
     EXPECT_EQ(plc("PLC_ALARM"), kTailstockTurning);
-    ++nc("CN_RESET"), run();
+    ++nc("CN_RESET");
+    run();
     m(26);
     run(50);
     EXPECT_EQ(output(kTailstockOut), 1) << "the spindle is still coming to rest";
@@ -187,12 +232,16 @@ TEST_F(LatheRig, HelpersTakeTheirTimeAndRefuseWhatIsDangerous) {
 }
 
 TEST_F(LatheRig, BarFeedOpensTheChuckFeedsAndClamps) {
-    parameters["PT_M_BAR"] = 35, parameters["PT_BAR_TIME"] = 0.5, parameters["PT_IN_BAR"] = 7;
+    parameters["PT_M_BAR"] = 35;
+    parameters["PT_BAR_TIME"] = 0.5;
+    parameters["PT_IN_BAR"] = 7;
     restart();
     m(35);
     EXPECT_EQ(plc("PLC_ALARM"), kBarEnd);
     EXPECT_EQ(plc("CP_BAREND"), 1);
-    ++nc("CN_RESET"), input_[6] = 1, run();
+    ++nc("CN_RESET");
+    input_[6] = 1;
+    run();
     m(35);
     EXPECT_EQ(output(kFirstSpindleOutput + kChuckOpen), 1);
     EXPECT_EQ(plc("SP_UNCLAMPED", 1), 1);
@@ -221,23 +270,30 @@ TEST_F(LatheRig, ChuckWaitsForASpindleThatStops) {
 }
 
 TEST_F(LatheRig, SpindleNeitherTurnsAsAnAxisNorWithTheDoorOpenNorWithoutPressure) {
-    parameters["PT_M_C_AXIS"] = 30 + 70, parameters["PT_IN_DOOR"] = 1, parameters["PT_IN_CHUCK"] = 2;
+    parameters["PT_M_C_AXIS"] = 30 + 70;
+    parameters["PT_IN_DOOR"] = 1;
+    parameters["PT_IN_CHUCK"] = 2;
     restart();
     m(3);
     EXPECT_EQ(plc("PLC_ALARM"), kNoPressure);
     EXPECT_EQ(plc("SP_UNCLAMPED", 1), 1);
-    ++nc("CN_RESET"), input_[1] = 1, run();
+    ++nc("CN_RESET");
+    input_[1] = 1;
+    run();
     m(3);
     EXPECT_EQ(plc("PLC_ALARM"), kDoorOpen);
     EXPECT_EQ(plc("CP_DOOROPEN"), 1);
-    ++nc("CN_RESET"), input_[0] = 1, run();
+    ++nc("CN_RESET");
+    input_[0] = 1;
+    run();
     m(100);
     run(3);
     EXPECT_TRUE(m_done());
     EXPECT_EQ(plc("SP_SDETCHR", 1), 1);
     m(3);
     EXPECT_EQ(plc("PLC_ALARM"), kSpindleIsAxis);
-    ++nc("CN_RESET"), run();
+    ++nc("CN_RESET");
+    run();
     m(101);
     run(3);
     m(3);
@@ -253,7 +309,8 @@ TEST_F(LatheRig, SpindleOfTheChannelIsChosenByCode) {
 }
 
 TEST_F(LatheRig, ValidCodeOfAGroupIsShown) {
-    parameters["N1342"] = 51, parameters["N1358"] = 53;
+    parameters["N1342"] = 51;
+    parameters["N1358"] = 53;
     restart();
     m(52);
     EXPECT_EQ(plc("CP_MGR2"), 52);
@@ -262,9 +319,12 @@ TEST_F(LatheRig, ValidCodeOfAGroupIsShown) {
 }
 
 TEST_F(LatheRig, AxisThatHasTravelledItsDistanceIsLubricated) {
-    parameters["PT_LUBE_TIME"] = 0.3, parameters["N0002"] = 1;
+    parameters["PT_LUBE_TIME"] = 0.3;
+    parameters["N0002"] = 1;
     restart();
-    nc("AN_LUBR", 4) = 1, run(), nc("AN_LUBR", 4) = 0;
+    nc("AN_LUBR", 4) = 1;
+    run();
+    nc("AN_LUBR", 4) = 0;
     EXPECT_EQ(output(kLubricates), 1);
     run(29);
     EXPECT_EQ(output(kLubricates), 1);
@@ -273,7 +333,8 @@ TEST_F(LatheRig, AxisThatHasTravelledItsDistanceIsLubricated) {
 }
 
 TEST_F(LatheRig, TurretMayBeOneThatTurnsForwardsOnlyAndMustBeLocked) {
-    parameters["PT_TURRET_FORWARD"] = 1, parameters["PT_TURRET_CLAMP"] = 0.2;
+    parameters["PT_TURRET_FORWARD"] = 1;
+    parameters["PT_TURRET_CLAMP"] = 0.2;
     restart();
     t(12);
     int cycles = 1;
@@ -326,8 +387,13 @@ TEST_F(LatheRig, DrivenToolHasItsOwnCodesAndSpindle) {
 }
 
 TEST_F(LatheRig, TurretTakesTheShorterWay) {
-    struct Row { int station; int steps; };  // from the row before, 12 stations, 0.3 s each = 30 cycles
-    for (const Row& row : {Row{1, 0}, Row{3, 2}, Row{12, 3}, Row{6, 6}, Row{6, 0}, Row{0, 0}, Row{5, 1}}) {
+    // from the row before, 12 stations, 0.3 s each = 30 cycles
+    struct Row {
+        int station;
+        int steps;
+    };
+    for (const Row& row :
+         {Row{1, 0}, Row{3, 2}, Row{12, 3}, Row{6, 6}, Row{6, 0}, Row{0, 0}, Row{5, 1}}) {
         SCOPED_TRACE(row.station);
         t(row.station);
         int cycles = 1;
@@ -338,11 +404,17 @@ TEST_F(LatheRig, TurretTakesTheShorterWay) {
     }
 }
 
-// 24 positions: 1 to 12 are the stations, 13 to 24 lie behind them; half a station takes half the time.
+// 24 positions: 1 to 12 are the stations, 13 to 24 lie behind them; half a station takes half the
+// time.
 TEST_F(LatheRig, TurretStopsAtHalfStationsToo) {
-    parameters["PT_TURRET_HALF"] = 1, parameters["PT_TURRET_STATIONS"] = 24;
+    parameters["PT_TURRET_HALF"] = 1;
+    parameters["PT_TURRET_STATIONS"] = 24;
     restart();
-    struct Row { int station; int half_steps; };   // from the row before
+    // from the row before
+    struct Row {
+        int station;
+        int half_steps;
+    };
     for (const Row& row : {Row{13, 1}, Row{2, 1}, Row{24, 3}, Row{1, 1}, Row{7, 12}}) {
         SCOPED_TRACE(row.station);
         t(row.station);
@@ -354,18 +426,23 @@ TEST_F(LatheRig, TurretStopsAtHalfStationsToo) {
 }
 
 TEST_F(LatheRig, TurretGoesToThePotWhereToolManagementHasFoundTheTool) {
-    parameters["PT_TURRET_MAGAZINE"] = 2, parameters["N2907"] = 101;   // its pots count from 101
+    // its pots count from 101
+    parameters["PT_TURRET_MAGAZINE"] = 2;
+    parameters["N2907"] = 101;
     restart();
-    nc("CN_MGZNO") = 2, nc("CN_POTNO") = 104;
-    t(35);   // a type number, no station
+    nc("CN_MGZNO") = 2;
+    nc("CN_POTNO") = 104;
+    t(35);  // a type number, no station
     run(90);
     EXPECT_TRUE(t_done());
     EXPECT_EQ(plc("CP_ACTT"), 4);
-    nc("CN_MGZNO") = 1, nc("CN_POTNO") = 7;   // stands elsewhere: the turret stays
+    // stands elsewhere: the turret stays
+    nc("CN_MGZNO") = 1;
+    nc("CN_POTNO") = 7;
     t(36);
     EXPECT_TRUE(t_done());
     EXPECT_EQ(plc("CP_ACTT"), 4);
-    nc("CN_MGZNO") = 0;   // no tool management: T is the station
+    nc("CN_MGZNO") = 0;  // no tool management: T is the station
     t(5);
     run(30);
     EXPECT_TRUE(t_done());
@@ -376,9 +453,11 @@ TEST_F(LatheRig, KeySwitchShowsItsHighestInput) {
     parameters["PT_IN_KEY"] = 10;
     restart();
     EXPECT_EQ(plc("PLC_KEY"), 0);
-    input_[9] = 1, run();
+    input_[9] = 1;
+    run();
     EXPECT_EQ(plc("PLC_KEY"), 1);
-    input_[11] = 1, run();
+    input_[11] = 1;
+    run();
     EXPECT_EQ(plc("PLC_KEY"), 3);
 }
 
@@ -470,7 +549,8 @@ TEST_F(LatheRig, EmergencyStopStopsEverythingAndTheTurretHalts) {
     EXPECT_EQ(output(kTurretTurns), 0);
     EXPECT_EQ(plc("CP_ACTT"), 2);
     EXPECT_FALSE(t_done()) << "the turret is not where the program wants it";
-    nc("N_ESTOP") = 0, ++nc("CN_RESET");
+    nc("N_ESTOP") = 0;
+    ++nc("CN_RESET");
     run();
     t(5);
     run(90);

@@ -16,7 +16,10 @@ namespace fs = std::filesystem;
 struct Kept {
     fs::path folder = fs::path(::testing::TempDir()) / ("plc_memory_" + std::to_string(::getpid()));
     std::string path = (folder / "plc.memory").string();
-    Kept() { fs::remove_all(folder), fs::create_directories(folder); }
+    Kept() {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+    }
     ~Kept() { fs::remove_all(folder); }
 
     void write(PlcMemory& memory, int value) const {
@@ -46,14 +49,16 @@ TEST(PlcMemory, KeepsTheLastOfManyWritesBehindItsEnd) {
 
 TEST(PlcMemory, BringsItToTheDiskOnceThereIsPlace) {
     Kept kept;
-    fs::create_directories(kept.path + ".new/in the way");   // nothing can be written beside the old file
+    // nothing can be written beside the old file
+    fs::create_directories(kept.path + ".new/in the way");
     PlcMemory memory;
     memory.open(kept.path, false);
     kept.write(memory, 7);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(kept.read(), -1);
     fs::remove_all(kept.path + ".new");
-    for (int i = 0; i < 100 && kept.read() != 7; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    for (int i = 0; i < 100 && kept.read() != 7; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(kept.read(), 7);
 }
 

@@ -1,5 +1,5 @@
-// polyturn-plc as a process, beside a kernel and a store that this test plays: answers, exit, and what each fault of a
-// builder's PLC ends in.
+// polyturn-plc as a process, beside a kernel and a store that this test plays: answers, exit, and
+// what each fault of a builder's PLC ends in.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -33,7 +33,10 @@ protected:
         store_.publish();
     }
     void TearDown() override {
-        if (child_ > 0) kill(child_, SIGKILL), waitpid(child_, nullptr, 0);
+        if (child_ > 0) {
+            kill(child_, SIGKILL);
+            waitpid(child_, nullptr, 0);
+        }
         remove_instance(instance_);
     }
     void start(const std::string& library, const std::string& retained = {}) {
@@ -41,7 +44,9 @@ protected:
         ASSERT_GE(child_, 0);
         if (child_ == 0) {
             const std::string program = std::string(kProgramFolder) + "/polyturn-plc";
-            execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library", library.c_str(), retained.empty() ? nullptr : "--retained", retained.c_str(), nullptr);
+            execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library",
+                  library.c_str(), retained.empty() ? nullptr : "--retained", retained.c_str(),
+                  nullptr);
             _exit(127);
         }
     }
@@ -66,7 +71,10 @@ protected:
         kernel.plc_bell.ring();
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
         while (plc_->cycle.load() != cycle_) {
-            if (waitpid(child_, &status_, WNOHANG) == child_) return child_ = 0, false;
+            if (waitpid(child_, &status_, WNOHANG) == child_) {
+                child_ = 0;
+                return false;
+            }
             if (std::chrono::steady_clock::now() > until) return false;
             std::this_thread::yield();
         }
@@ -128,10 +136,13 @@ protected:
     }
     void life(std::int64_t n1274, int cycles = 3) {
         std::filesystem::create_directories(folder_);
-        params::set_defaults((*store_).parameters.draft());   // a draft is not what was published last
+        // a draft is not what was published last
+        params::set_defaults((*store_).parameters.draft());
         params::put((*store_).parameters.draft(), params::n1274_plc_prgconfig, n1274);
         (*store_).parameters.publish();
-        inputs = {}, outputs = {}, cycle_ = 0;
+        inputs = {};
+        outputs = {};
+        cycle_ = 0;
         (*kernel_).plc_inputs.write(PlcInputs{});
         plc_ = {};
         start(std::string(kProgramFolder) + "/keeping_plc.so", folder_ + "/plc.retained");
@@ -145,8 +156,12 @@ protected:
         EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 0);
     }
     int starts() const { return std::count(outputs.output.begin(), outputs.output.begin() + 8, 1); }
-    int counted() const { return std::count(outputs.output.begin() + 16, outputs.output.begin() + 24, 1); }
-    std::string folder_ = (std::filesystem::temp_directory_path() / ("polyturn-plc-keeps-" + std::to_string(getpid()))).string();
+    int counted() const {
+        return std::count(outputs.output.begin() + 16, outputs.output.begin() + 24, 1);
+    }
+    std::string folder_ = (std::filesystem::temp_directory_path() /
+                           ("polyturn-plc-keeps-" + std::to_string(getpid())))
+                              .string();
     PlcOutputs first_{};
 };
 
@@ -155,21 +170,21 @@ TEST_F(PlcKeeps, WhatItNamesOverPowerOffWhileN1274NvfIsOn) {
     EXPECT_EQ(starts(), 1);
     life(3);
     EXPECT_EQ(starts(), 2);
-    life(1);                       // NVF 0: the program must save by itself
+    life(1);  // NVF 0: the program must save by itself
     EXPECT_EQ(starts(), 1);
-    life(3);                       // what was kept is still what the last life with NVF left
+    life(3);  // what was kept is still what the last life with NVF left
     EXPECT_EQ(starts(), 3);
 }
 
 TEST_F(PlcKeeps, MemoryThatItReadsAndWritesItselfAtOnceOneInACycleOrQueued) {
-    life(0);                       // nothing was written yet: both blocks are missing
+    life(0);  // nothing was written yet: both blocks are missing
     EXPECT_EQ(counted(), 1);
-    life(0);                       // MRW 0: block 7 at once; block 8 in the same cycle is a timeout
+    life(0);  // MRW 0: block 7 at once; block 8 in the same cycle is a timeout
     EXPECT_EQ(counted(), 2);
     EXPECT_EQ(first_.output[30], 1);
     EXPECT_EQ(first_.output[31], 0);
     EXPECT_EQ(first_.output[32], 1);
-    life(1);                       // MRW 1: queued, both in the next cycle
+    life(1);  // MRW 1: queued, both in the next cycle
     EXPECT_EQ(counted(), 3);
     EXPECT_EQ(first_.output[16 + 2], 0) << "not yet in the cycle that asks";
     EXPECT_EQ(first_.output[30] + first_.output[31] + outputs.output[32], 0);
@@ -189,17 +204,19 @@ TEST_F(PlcProcess, FastTaskAnswersEveryTickAndComesBeforeTheCycleOfItsTick) {
         PlcFastInputs& fast = kernel.plc_fast.draft();
         fast.count = count;
         fast.tick = at;
-        fast.value[0] = in, fast.value[1] = 0;
+        fast.value[0] = in;
+        fast.value[1] = 0;
         kernel.plc_fast.publish();
         kernel.plc_bell.ring();
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-        while (plc_->fast_count.load() != count && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+        while (plc_->fast_count.load() != count && std::chrono::steady_clock::now() < until)
+            std::this_thread::yield();
         PlcFastOutputs out;
         EXPECT_TRUE(plc_->fast.read(out));
         return out;
     };
     for (std::uint64_t n = 1; n <= 25; ++n) {
-        if (n % 10 == 0) {   // a cycle's inputs come first, and wait for the task of their tick
+        if (n % 10 == 0) {  // a cycle's inputs come first, and wait for the task of their tick
             PlcInputs& in = kernel.plc_inputs.draft();
             in.cycle = n / 10;
             in.tick = static_cast<std::int64_t>(n);
@@ -212,7 +229,9 @@ TEST_F(PlcProcess, FastTaskAnswersEveryTickAndComesBeforeTheCycleOfItsTick) {
         EXPECT_EQ(out.value[0], n % 3 == 0);
         EXPECT_EQ(out.value[1], static_cast<std::int32_t>(n));
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-        while (n % 10 == 0 && plc_->cycle.load() != n / 10 && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+        while (n % 10 == 0 && plc_->cycle.load() != n / 10 &&
+               std::chrono::steady_clock::now() < until)
+            std::this_thread::yield();
     }
     ASSERT_TRUE(plc_->outputs.read(outputs));
     EXPECT_EQ(outputs.cycle, 2u);
@@ -220,7 +239,11 @@ TEST_F(PlcProcess, FastTaskAnswersEveryTickAndComesBeforeTheCycleOfItsTick) {
     EXPECT_EQ(outputs.output[1], 1);
 }
 
-struct Fault { const char* library; bool signal; int number; };
+struct Fault {
+    const char* library;
+    bool signal;
+    int number;
+};
 class PlcFault : public PlcProcess, public ::testing::WithParamInterface<Fault> {};
 
 TEST_P(PlcFault, EndsTheProcessAndTheLastOutputsStayWhole) {
@@ -236,7 +259,9 @@ TEST_P(PlcFault, EndsTheProcessAndTheLastOutputsStayWhole) {
     EXPECT_EQ(outputs.output[0], 1);
 }
 INSTANTIATE_TEST_SUITE_P(Builders, PlcFault,
-                         ::testing::Values(Fault{"crash_plc.so", true, SIGSEGV}, Fault{"endless_plc.so", false, 3}, Fault{"scribble_plc.so", true, SIGSEGV}));
+                         ::testing::Values(Fault{"crash_plc.so", true, SIGSEGV},
+                                           Fault{"endless_plc.so", false, 3},
+                                           Fault{"scribble_plc.so", true, SIGSEGV}));
 
 TEST_F(PlcProcess, PlcThatDoesNotStartIsRefusedWithExitStatus2) {
     for (const char* library : {"unready_plc.so", "old_plc.so", "nowhere_plc.so"}) {

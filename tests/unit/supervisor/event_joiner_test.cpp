@@ -1,11 +1,12 @@
-// Events leave in the order of t, channel, sequence, each once, moves with their end; whatever the order in which the
-// kernel reports.
-#include "kernel/supervisor/event_joiner.hpp"
+// Events leave in the order of t, channel, sequence, each once, moves with their end; whatever the
+// order in which the kernel reports.
+#include "kernel/supervisor/base/event_joiner.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
+
 #include "tests/property.hpp"
 
 namespace polyturn::supervisor {
@@ -13,7 +14,9 @@ namespace {
 
 struct Out {
     std::vector<std::string> lines;
-    EventJoiner::Sink sink = [this](const EventJoiner::Event& event) { lines.push_back(event.text); };
+    EventJoiner::Sink sink = [this](const EventJoiner::Event& event) {
+        lines.push_back(event.text);
+    };
 };
 
 TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
@@ -27,10 +30,12 @@ TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
     EXPECT_TRUE(out.lines.empty());
     joiner.end(1, 1, 5.25);
     joiner.drain(3.0, out.sink);
-    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","ch":1,"t":0,"end":5.25})", R"({"ev":"aux","ch":2,"code":"M8","t":1})"}));
+    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","ch":1,"t":0,"end":5.25})",
+                                                   R"({"ev":"aux","ch":2,"code":"M8","t":1})"}));
 }
 
-// The kernel's own alarms know the line of a block: in which file it stands, a subprogram's perhaps, the block that began last says.
+// The kernel's own alarms know the line of a block: in which file it stands, a subprogram's
+// perhaps, the block that began last says.
 TEST(EventJoiner, ALineIsOfTheFileInWhichItsBlockBegan) {
     EventJoiner joiner;
     (void)joiner.note(1, 1, R"({"ev":"move","file":"/p/O\"9.nc","line":63,"ch":1})");
@@ -51,7 +56,9 @@ TEST(EventJoiner, ASkipMoveIsToldWithThePointAtWhichItEnded) {
     EXPECT_TRUE(out.lines.empty());
     (void)joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":30})");
     joiner.drain(9.0, out.sink);
-    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","kind":"skip","pos":30,"t":0.5,"end":1.5})"}));
+    EXPECT_EQ(
+        out.lines,
+        (std::vector<std::string>{R"({"ev":"move","kind":"skip","pos":30,"t":0.5,"end":1.5})"}));
 }
 
 TEST(EventJoiner, ASkipMoveThatNobodyDescribesAgainIsNotLost) {
@@ -77,10 +84,12 @@ TEST(EventJoiner, WhatMayStillComeEarlierHoldsBack) {
     EXPECT_TRUE(out.lines.empty());
     joiner.plain(1, 1.0, R"({"ev":"stop"})");
     joiner.drain(1.001, out.sink);
-    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"stop","t":1})", R"({"ev":"flag","t":1})"}));
+    EXPECT_EQ(out.lines,
+              (std::vector<std::string>{R"({"ev":"stop","t":1})", R"({"ev":"flag","t":1})"}));
 }
 
-// Notes cross in a ring of their own: in virtual time the next start's are here before the log tells of the reset.
+// Notes cross in a ring of their own: in virtual time the next start's are here before the log
+// tells of the reset.
 TEST(EventJoiner, NotesOfTheNextStartOutlastAResetThatIsToldAfterThem) {
     EventJoiner joiner;
     Out out;
@@ -91,7 +100,8 @@ TEST(EventJoiner, NotesOfTheNextStartOutlastAResetThatIsToldAfterThem) {
     joiner.close_channel(1, 0.75);
     joiner.begin(1, 3, 2.0);
     joiner.finish(out.sink);
-    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","t":0.5,"end":0.75})", R"({"ev":"aux","n":3,"t":2})"}));
+    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","t":0.5,"end":0.75})",
+                                                   R"({"ev":"aux","n":3,"t":2})"}));
 }
 
 TEST(EventJoiner, AResetEndsWhatWasUnderWay) {
@@ -117,7 +127,8 @@ TEST(EventJoiner, WhatNeverEndedIsGivenOutWithoutAnEnd) {
 TEST(EventJoiner, NotesThatWereSkippedAreDropped) {
     EventJoiner joiner;
     Out out;
-    for (int i = 1; i <= 3; ++i) (void)joiner.note(1, static_cast<std::uint64_t>(i), R"({"ev":"aux"})");
+    for (int i = 1; i <= 3; ++i)
+        (void)joiner.note(1, static_cast<std::uint64_t>(i), R"({"ev":"aux"})");
     joiner.begin(1, 3, 1.0);
     EXPECT_TRUE(joiner.begin(1, 1, 1.0).empty());
     joiner.finish(out.sink);
@@ -147,12 +158,16 @@ PROPERTY(EventJoiner, EveryEventOnceInOrderWhateverTheDrains, ()) {
         order.emplace_back(event.t_s, event.channel);
         RC_ASSERT(event.text.find("\"end\":") != std::string::npos);
     };
-    for (const Block& block : blocks) (void)joiner.note(block.channel, block.number, R"({"ev":"move"})");
+    for (const Block& block : blocks)
+        (void)joiner.note(block.channel, block.number, R"({"ev":"move"})");
     for (int tick = 0; tick <= 200; ++tick) {
-        for (const Block& block : blocks) {  // in the log a block's end stands before the next one's begin
-            if (block.end == tick && block.begin != tick) joiner.end(block.channel, block.number, tick);
+        // in the log a block's end stands before the next one's begin
+        for (const Block& block : blocks) {
+            if (block.end == tick && block.begin != tick)
+                joiner.end(block.channel, block.number, tick);
             if (block.begin == tick) joiner.begin(block.channel, block.number, tick);
-            if (block.end == tick && block.begin == tick) joiner.end(block.channel, block.number, tick);
+            if (block.end == tick && block.begin == tick)
+                joiner.end(block.channel, block.number, tick);
         }
         joiner.drain(tick, sink);
     }

@@ -1,4 +1,4 @@
-#include "kernel/supervisor/latency.hpp"
+#include "kernel/supervisor/status/latency.hpp"
 
 #include <gtest/gtest.h>
 

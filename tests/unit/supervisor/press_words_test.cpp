@@ -1,5 +1,6 @@
-// What can be pressed and set: one row a sentence, with what it asks of the kernel or why it is refused.
-#include "kernel/supervisor/press_words.hpp"
+// What can be pressed and set: one row a sentence, with what it asks of the kernel or why it is
+// refused.
+#include "kernel/supervisor/press/press_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,9 @@ const MachineConfig& machine() {
     static const MachineConfig config = [] {
         auto table = std::make_unique<params::Table>();
         params::set_defaults(*table);
-        for (const char* line : {"N0000 L1=1", "N0000 L2=1", "N0002 A1=1", "N0100 A1=88", "N0103 A1=1", "N0002 A2=1", "N0100 A2=90", "N0103 A2=3", "N0002 A3=2",
-                                 "N0100 A3=88", "N0103 A3=1", "N0607#0 S1=1"}) {
+        for (const char* line : {"N0000 L1=1", "N0000 L2=1", "N0002 A1=1", "N0100 A1=88",
+                                 "N0103 A1=1", "N0002 A2=1", "N0100 A2=90", "N0103 A2=3",
+                                 "N0002 A3=2", "N0100 A3=88", "N0103 A3=1", "N0607#0 S1=1"}) {
             const auto assignment = params::parse_assignment(line);
             EXPECT_TRUE(assignment) << line;
             EXPECT_TRUE(params::apply(*table, {&*assignment, 1})) << line;
@@ -78,7 +80,7 @@ constexpr Row kPress[] = {
     {"restart L1=N120", CommandKind::Restart, 1, 0, 120, 1, ""},
     {"retrace L1=on", CommandKind::Retrace, 1, 0, 1, 0, ""},
     {"first_part L2=on", CommandKind::FirstPart, 2, 0, 1, 0, ""},
-    {"program_wheel L1=on", CommandKind::ProgramWheel, 1, 0, 1, 0, ""},
+    {"program_wheel L1=on", CommandKind::ProgramHandwheel, 1, 0, 1, 0, ""},
     {"handwheel 1 L2 -50", CommandKind::Handwheel, 2, 0, -50, 1, ""},
     {"jog_in_hold L1", CommandKind::JogInHold, 1, 0, 0, 0, ""},
     {"return L1", CommandKind::Return, 1, 0, 0, 0, ""},
@@ -95,7 +97,9 @@ void expect_command(const Command& command, const Row& row) {
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(row.kind));
     EXPECT_EQ(command.channel, row.channel);
     EXPECT_EQ(command.object, row.object);
-    if (row.value != 0 || row.kind != CommandKind::CycleStart) { EXPECT_NEAR(command.value, row.value, 1e-12); }
+    if (row.value != 0 || row.kind != CommandKind::CycleStart) {
+        EXPECT_NEAR(command.value, row.value, 1e-12);
+    }
     EXPECT_EQ(command.flags, row.flags);
     EXPECT_STREQ(command.text.data(), row.text);
     EXPECT_EQ(command.tick, 0);
@@ -113,8 +117,11 @@ TEST(Press, EverySentenceOfTheManualIsUnderstood) {
         words.remove_prefix(words.find_first_not_of(' '));
         seen.insert(words.substr(0, words.find(' ')));
     }
-    seen.insert("override"), seen.insert("scope");   // the one is told by its object, the other has a test of its own below
-    for (const std::string_view name : press_names()) EXPECT_TRUE(seen.count(name)) << name << " has no row here";
+    // the one is told by its object, the other has a test of its own below
+    seen.insert("override");
+    seen.insert("scope");
+    for (const std::string_view name : press_names())
+        EXPECT_TRUE(seen.count(name)) << name << " has no row here";
 }
 
 TEST(Press, AnAnswerTellsItsValuesBeforeItsKey) {
@@ -123,7 +130,9 @@ TEST(Press, AnAnswerTellsItsValuesBeforeItsKey) {
     ASSERT_EQ(commands->size(), 3u);
     EXPECT_EQ((*commands)[0].kind, static_cast<std::uint32_t>(CommandKind::DialogueValue));
     EXPECT_EQ((*commands)[2].kind, static_cast<std::uint32_t>(CommandKind::DialogueKey));
-    for (const char* words : {"answer", "answer L1", "answer L9 key=1", "answer L1 key=1 #500=2", "answer L1 key=0", "answer L1 key=1.5", "answer L1 #500", "answer L1 =3", "answer L1 #500=x"})
+    for (const char* words :
+         {"answer", "answer L1", "answer L9 key=1", "answer L1 key=1 #500=2", "answer L1 key=0",
+          "answer L1 key=1.5", "answer L1 #500", "answer L1 =3", "answer L1 #500=x"})
         EXPECT_FALSE(parse_press(words, machine())) << words;
 }
 
@@ -133,11 +142,12 @@ TEST(Press, SeveralChannelsInOneSentence) {
     ASSERT_EQ(commands->size(), 2u);
     EXPECT_EQ((*commands)[1].channel, 2u);
     EXPECT_EQ((*commands)[1].value, 340.0);
-    for (const Command& command : *commands) EXPECT_EQ(command.flags, 3u) << "both restart, so their waits are replayed";
+    for (const Command& command : *commands)
+        EXPECT_EQ(command.flags, 3u) << "both restart, so their waits are replayed";
 }
 
-// T: the channels of a machine group (N0000). A start is one command, so that the kernel begins them in one tick and passes over who has
-// nothing to begin.
+// T: the channels of a machine group (N0000). A start is one command, so that the kernel begins
+// them in one tick and passes over who has nothing to begin.
 TEST(Press, AMachineGroupIsNamedByItsLetter) {
     const auto start = parse_press("cycle_start T1", machine());
     ASSERT_TRUE(start) << start.diagnosis().text();
@@ -151,23 +161,28 @@ TEST(Press, AMachineGroupIsNamedByItsLetter) {
         EXPECT_EQ(commands->front().channel, 1u);
         EXPECT_EQ(commands->back().channel, 2u);
     }
-    for (const char* words : {"cycle_start T2", "reset T0", "feed_hold T", "single_block T2=on", "single_block T1=maybe", "return T1", "cycle_start T1x"}) {
+    for (const char* words : {"cycle_start T2", "reset T0", "feed_hold T", "single_block T2=on",
+                              "single_block T1=maybe", "return T1", "cycle_start T1x"}) {
         const auto commands = parse_press(words, machine());
         ASSERT_FALSE(commands) << words;
         EXPECT_FALSE(commands.diagnosis().text().empty());
     }
-    EXPECT_NE(parse_press("cycle_start T2", machine()).diagnosis().text().find("no group T2"), std::string::npos);
+    EXPECT_NE(parse_press("cycle_start T2", machine()).diagnosis().text().find("no group T2"),
+              std::string::npos);
 }
 
-// A folder may lie deep; what is too deep is told with what to do, not with the form of the sentence.
+// A folder may lie deep; what is too deep is told with what to do, not with the form of the
+// sentence.
 TEST(Press, APathOfTwoHundredCharactersIsSelectedAndALongerOneSaysWhatToDo) {
-    const std::string deep = "/" + std::string(120, 'a') + "/" + std::string(70, 'b') + "/O1.nc", deeper = "/" + std::string(200, 'a') + deep;
+    const std::string deep = "/" + std::string(120, 'a') + "/" + std::string(70, 'b') + "/O1.nc",
+                      deeper = "/" + std::string(200, 'a') + deep;
     const auto commands = parse_press("select L1=" + deep, machine());
     ASSERT_TRUE(commands) << commands.diagnosis().text();
     EXPECT_EQ(std::string(commands->front().text.data()), deep);
     const auto refused = parse_press("select L1=" + deeper, machine());
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.diagnosis().alarm, Alarm::PressArgument) << "the remedy of the form helps nobody here";
+    EXPECT_NE(refused.diagnosis().alarm, Alarm::PressArgument)
+        << "the remedy of the form helps nobody here";
     EXPECT_LT(refused.diagnosis().text().size(), 120u) << "the remedy has no room behind it";
 }
 
@@ -235,11 +250,11 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
     command = one("input 17=1");
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetInput));
     EXPECT_EQ(command.object, 17u);
-    command = one("#1003 L2=1");   // one bit of the register: the others keep what the PLC writes
+    command = one("#1003 L2=1");  // one bit of the register: the others keep what the PLC writes
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetSignal));
     EXPECT_EQ(command.object, signals::cp_uin(2));
     EXPECT_EQ(command.channel, 4u);
-    command = one("$A_IN[32] L2=1");   // as sinumerik names them
+    command = one("$A_IN[32] L2=1");  // as sinumerik names them
     EXPECT_EQ(command.object, signals::cp_uin(2));
     EXPECT_EQ(command.channel, 32u);
     command = one("N0304 A1=5000");
@@ -252,10 +267,12 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
 
 TEST(Set, WhatIsWrongIsSaid) {
     const std::pair<const char*, Alarm> rows[] = {
-        {"AP_SYNCR=1", Alarm::SignalScope},        {"AP_SYNCR L1=1", Alarm::SignalScope},  {"AP_SYNCR A97=1", Alarm::SignalScope},
-        {"#1000 L1=2", Alarm::PressArgument}, {"$A_IN[1] L1=2", Alarm::PressArgument}, {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
-        {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument}, {"input 3=5", Alarm::PressArgument},
-        {"N0304 A1=fast", Alarm::ParamValue},
+        {"AP_SYNCR=1", Alarm::SignalScope},        {"AP_SYNCR L1=1", Alarm::SignalScope},
+        {"AP_SYNCR A97=1", Alarm::SignalScope},    {"#1000 L1=2", Alarm::PressArgument},
+        {"$A_IN[1] L1=2", Alarm::PressArgument},   {"AP_SYNCR A3=2", Alarm::PressArgument},
+        {"NO_SUCH L1=1", Alarm::SignalUnknown},    {"AP_SYNCR A3", Alarm::PressArgument},
+        {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument},
+        {"input 3=5", Alarm::PressArgument},       {"N0304 A1=fast", Alarm::ParamValue},
     };
     for (const auto& [words, alarm] : rows) {
         SCOPED_TRACE(words);
@@ -285,7 +302,9 @@ TEST(Press, ScopeNamesATraceAndWhatItRecords) {
     EXPECT_EQ(signal->front().value, static_cast<double>(ScopeKind::NcSignal));
     EXPECT_TRUE(parse_press("scope 1 off", machine()));
     EXPECT_TRUE(parse_press("scope 1 input 12", machine()));
-    for (const char* words : {"scope", "scope 1", "scope 0 off", "scope 9 off", "scope 1 measured", "scope 1 measured A95", "scope 1 measured L1", "scope 1 nothing A1", "scope 1 off A1", "scope 1 input 256", "scope 1 signal NONSENSE"})
+    for (const char* words : {"scope", "scope 1", "scope 0 off", "scope 9 off", "scope 1 measured",
+                              "scope 1 measured A95", "scope 1 measured L1", "scope 1 nothing A1",
+                              "scope 1 off A1", "scope 1 input 256", "scope 1 signal NONSENSE"})
         EXPECT_FALSE(parse_press(words, machine())) << words;
 }
 
@@ -300,7 +319,9 @@ TEST(Set, OffsetsAndZerosAsTheTablesShowThem) {
     ASSERT_TRUE(commands) << commands.diagnosis().text();
     EXPECT_EQ(commands->front().channel, 1u);
     EXPECT_STREQ(commands->front().text.data(), "G54 Z");
-    for (const char* words : {"offset L1 0 wear X=1", "offset L1 3 wear Q=1", "offset L9 3 wear X=1", "offset L1 3 wear T=12", "zero L1 G99 X=1", "zero L1 G54 W=1", "offset L1 3 X=1"})
+    for (const char* words :
+         {"offset L1 0 wear X=1", "offset L1 3 wear Q=1", "offset L9 3 wear X=1",
+          "offset L1 3 wear T=12", "zero L1 G99 X=1", "zero L1 G54 W=1", "offset L1 3 X=1"})
         EXPECT_FALSE(parse_set(words, machine())) << words;
 }
 

@@ -1,12 +1,13 @@
-// Which files an operator may name to a running controller: those of the program folders, whatever the name looks like.
-#include "kernel/supervisor/reach.hpp"
+// Which files an operator may name to a running controller: those of the program folders, whatever
+// the name looks like.
+#include "kernel/supervisor/base/reach.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "kernel/supervisor/press_words.hpp"
+#include "kernel/supervisor/press/press_words.hpp"
 
 namespace polyturn::supervisor {
 namespace {
@@ -17,8 +18,11 @@ protected:
     void SetUp() override {
         top_ = fs::temp_directory_path() / ("polyturn-reach-" + std::to_string(::getpid()));
         fs::remove_all(top_);
-        for (const char* folder : {"programs/sub", "programs-not", "machine", "elsewhere"}) fs::create_directories(top_ / folder);
-        for (const char* file : {"programs/a.nc", "programs/sub/b.nc", "programs-not/c.nc", "machine/setup.toml", "elsewhere/shadow"}) std::ofstream(top_ / file) << "M30\n";
+        for (const char* folder : {"programs/sub", "programs-not", "machine", "elsewhere"})
+            fs::create_directories(top_ / folder);
+        for (const char* file : {"programs/a.nc", "programs/sub/b.nc", "programs-not/c.nc",
+                                 "machine/setup.toml", "elsewhere/shadow"})
+            std::ofstream(top_ / file) << "M30\n";
         fs::create_symlink(top_ / "elsewhere/shadow", top_ / "programs/link.nc");
         fs::create_directory_symlink(top_ / "programs", top_ / "elsewhere/way");
     }
@@ -32,19 +36,27 @@ TEST_F(ReachOfLevels, IsATableOfFoldersAndLevels) {
         std::string file;
         UserLevel least;
     };
-    for (const Row& row : {Row{"programs/a.nc", UserLevel::None}, Row{"programs/sub/b.nc", UserLevel::None}, Row{"programs/not-there.nc", UserLevel::None},
-                           Row{"programs/sub/../a.nc", UserLevel::None}, Row{"elsewhere/way/a.nc", UserLevel::None}, Row{"programs", UserLevel::Maker},
-                           Row{"programs-not/c.nc", UserLevel::Maker}, Row{"programs/../elsewhere/shadow", UserLevel::Maker}, Row{"programs/link.nc", UserLevel::Maker},
-                           Row{"machine/setup.toml", UserLevel::Setter}, Row{"elsewhere/shadow", UserLevel::Maker}, Row{"../../etc/shadow", UserLevel::Maker}})
-        for (const UserLevel level : {UserLevel::None, UserLevel::Operator, UserLevel::Setter, UserLevel::Maker}) {
+    for (const Row& row :
+         {Row{"programs/a.nc", UserLevel::None}, Row{"programs/sub/b.nc", UserLevel::None},
+          Row{"programs/not-there.nc", UserLevel::None},
+          Row{"programs/sub/../a.nc", UserLevel::None}, Row{"elsewhere/way/a.nc", UserLevel::None},
+          Row{"programs", UserLevel::Maker}, Row{"programs-not/c.nc", UserLevel::Maker},
+          Row{"programs/../elsewhere/shadow", UserLevel::Maker},
+          Row{"programs/link.nc", UserLevel::Maker}, Row{"machine/setup.toml", UserLevel::Setter},
+          Row{"elsewhere/shadow", UserLevel::Maker}, Row{"../../etc/shadow", UserLevel::Maker}})
+        for (const UserLevel level :
+             {UserLevel::None, UserLevel::Operator, UserLevel::Setter, UserLevel::Maker}) {
             const auto may = reach.may_read((top_ / row.file).string(), level);
-            EXPECT_EQ(may.ok(), level >= row.least) << row.file << " at level " << static_cast<int>(level);
+            EXPECT_EQ(may.ok(), level >= row.least)
+                << row.file << " at level " << static_cast<int>(level);
             if (!may) { EXPECT_EQ(may.diagnosis().alarm, Alarm::FileOutside); }
         }
 }
 
 TEST(Places, AreTheAbsolutePathsOfTheList) {
-    EXPECT_EQ(places_in("; the shop's server\nserver = /srv/nc ; of the office\nbad=relative\n=/x\nno line\nlast=/a b\r\n"), (std::vector<fs::path>{"/srv/nc", "/a b"}));
+    EXPECT_EQ(places_in("; the shop's server\nserver = /srv/nc ; of the office\n"
+                        "bad=relative\n=/x\nno line\nlast=/a b\r\n"),
+              (std::vector<fs::path>{"/srv/nc", "/a b"}));
     EXPECT_TRUE(places_in("").empty());
 }
 

@@ -1,4 +1,4 @@
-#include "kernel/supervisor/request_socket.hpp"
+#include "kernel/supervisor/start/request_socket.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -36,7 +36,8 @@ int connect_to(const std::string& instance) {
 std::string read_now(int fd) {
     std::string out;
     char block[65536];
-    for (ssize_t got = 0; (got = ::recv(fd, block, sizeof block, MSG_DONTWAIT)) > 0;) out.append(block, static_cast<std::size_t>(got));
+    for (ssize_t got = 0; (got = ::recv(fd, block, sizeof block, MSG_DONTWAIT)) > 0;)
+        out.append(block, static_cast<std::size_t>(got));
     return out;
 }
 
@@ -49,13 +50,16 @@ bool closed(int fd) {
 void tell(int fd, const std::string& lines) {
     std::size_t done = 0;
     while (done < lines.size()) {
-        const auto wrote = ::send(fd, lines.data() + done, lines.size() - done, MSG_DONTWAIT | MSG_NOSIGNAL);
+        const auto wrote =
+            ::send(fd, lines.data() + done, lines.size() - done, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (wrote <= 0) break;
         done += static_cast<std::size_t>(wrote);
     }
 }
 
-std::string press(const std::string& words) { return R"({"do":"press","words":")" + words + "\"}\n"; }
+std::string press(const std::string& words) {
+    return R"({"do":"press","words":")" + words + "\"}\n";
+}
 
 class Served : public ::testing::Test {
 protected:
@@ -64,7 +68,9 @@ protected:
         ASSERT_TRUE(opened) << opened.diagnosis().text();
         server_ = std::make_unique<RequestServer>(std::move(*opened));
     }
-    void TearDown() override { for (const int fd : open_) ::close(fd); }
+    void TearDown() override {
+        for (const int fd : open_) ::close(fd);
+    }
     int client() {
         open_.push_back(connect_to(instance_));
         serve();
@@ -94,7 +100,8 @@ protected:
     std::vector<int> open_;
 };
 
-// A screen asks the store something that takes its time, and meanwhile for the alarms: it must not take the one for the other.
+// A screen asks the store something that takes its time, and meanwhile for the alarms: it must not
+// take the one for the other.
 TEST_F(Served, TheLinesOfAConnectionAreAnsweredInTheirOrder) {
     const int first = client(), second = client();
     tell(first, press("slow") + press("quick") + press("last"));
@@ -128,7 +135,8 @@ TEST_F(Served, WhatIsNoRequestIsAnsweredAndNobodyHearsOfIt) {
 TEST_F(Served, AStopActsBeforeWhatStandsInFrontOfItAndAgainBehindAStart) {
     const int one = client();
     take_ = [this](RequestServer::Client client, const Request& request) {
-        if (request.words == "mode L1=auto" && asked_.size() < 4) return Taken::Later;   // no room yet
+        // no room yet
+        if (request.words == "mode L1=auto" && asked_.size() < 4) return Taken::Later;
         server_->answer(client, request.words);
         return Taken::Yes;
     };
@@ -138,8 +146,11 @@ TEST_F(Served, AStopActsBeforeWhatStandsInFrontOfItAndAgainBehindAStart) {
     EXPECT_EQ(asked_[0].second, "feed_hold");
     EXPECT_EQ(read_now(one), "") << "its answer keeps its place";
     serve(5);
-    EXPECT_EQ(words().back(), "feed_hold") << "a start that stood in front of it does not have the last word";
-    EXPECT_EQ(std::count(asked_.begin(), asked_.end(), std::pair(who("feed_hold"), std::string("feed_hold"))), 2);
+    EXPECT_EQ(words().back(), "feed_hold")
+        << "a start that stood in front of it does not have the last word";
+    EXPECT_EQ(std::count(asked_.begin(), asked_.end(),
+                         std::pair(who("feed_hold"), std::string("feed_hold"))),
+              2);
     EXPECT_EQ(read_now(one), "mode L1=auto\ncycle_start\nfeed_hold\n");
 }
 
@@ -152,7 +163,9 @@ TEST_F(Served, AStopThatComesAloneActsOnce) {
 
 TEST_F(Served, WhatStandsBehindOneThatHoldsWaitsForItsAnswer) {
     const int one = client(), other = client();
-    take_ = [](RequestServer::Client, const Request& request) { return request.words.starts_with("select") ? Taken::Holds : Taken::Yes; };
+    take_ = [](RequestServer::Client, const Request& request) {
+        return request.words.starts_with("select") ? Taken::Holds : Taken::Yes;
+    };
     tell(one, press("select L1=O1.nc") + press("cycle_start"));
     tell(other, press("mode L1=auto"));
     serve(5);
@@ -170,18 +183,26 @@ TEST_F(Served, OneConnectionDoesNotKeepTheOthersFromTheirTurn) {
     tell(flood, many);
     tell(quiet, press("mode L1=auto"));
     serve();
-    const auto mine = std::find(asked_.begin(), asked_.end(), std::pair(who("mode L1=auto"), std::string("mode L1=auto")));
+    const auto mine = std::find(asked_.begin(), asked_.end(),
+                                std::pair(who("mode L1=auto"), std::string("mode L1=auto")));
     ASSERT_NE(mine, asked_.end());
     EXPECT_LE(mine - asked_.begin(), 2) << "one line of each in turn";
 }
 
 TEST_F(Served, WhoDoesNotReadIsReadNoMore) {
     const int one = client();
-    take_ = [this](RequestServer::Client client, const Request&) { return server_->answer(client, std::string(20'000, 'x')), Taken::Yes; };
+    take_ = [this](RequestServer::Client client, const Request&) {
+        server_->answer(client, std::string(20'000, 'x'));
+        return Taken::Yes;
+    };
     std::string many;
     for (int i = 0; i < 1'000; ++i) many += press("mode L1=auto");
-    for (int i = 0; i < 50; ++i) tell(one, many), serve();
-    EXPECT_LE(asked_.size() * 20'000, RequestServer::kMostUnread + 600'000) << "what waits for him, with what the system keeps for him, is bounded";
+    for (int i = 0; i < 50; ++i) {
+        tell(one, many);
+        serve();
+    }
+    EXPECT_LE(asked_.size() * 20'000, RequestServer::kMostUnread + 600'000)
+        << "what waits for him, with what the system keeps for him, is bounded";
     const std::size_t before = asked_.size();
     EXPECT_GT(read_now(one).size(), 0u);
     serve(20);
@@ -192,21 +213,33 @@ TEST_F(Served, ALineThatIsTooLongIsRefusedAndPassedOver) {
     const int one = client();
     const std::string much(100'000, 'x');
     std::string told;
-    for (int i = 0; i < 40; ++i) tell(one, much), serve(16), told += read_now(one);
+    for (int i = 0; i < 40; ++i) {
+        tell(one, much);
+        serve(16);
+        told += read_now(one);
+    }
     EXPECT_NE(told.find("PT0335"), std::string::npos);
     EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << "one line, one answer";
     tell(one, "\n" + press("reset"));
     serve(40);
     EXPECT_EQ(words(), std::vector<std::string>{"reset"});
-    for (int i = 0; i < 400 && !closed(one); ++i) tell(one, much), serve(16);
+    for (int i = 0; i < 400 && !closed(one); ++i) {
+        tell(one, much);
+        serve(16);
+    }
     EXPECT_TRUE(closed(one)) << "one that never ends";
 }
 
 TEST_F(Served, SoManyConnectionsAndNoMore) {
     std::vector<int> many;
     for (std::size_t i = 0; i < RequestServer::kConnections; ++i) many.push_back(client());
-    const std::string refused = [&] { const int more = client(); return read_now(more); }();
-    const std::size_t most = ::geteuid() == 0 ? RequestServer::kConnections : RequestServer::kConnections - RequestServer::kKeptForRoot;
+    const std::string refused = [&] {
+        const int more = client();
+        return read_now(more);
+    }();
+    const std::size_t most = ::geteuid() == 0
+                                 ? RequestServer::kConnections
+                                 : RequestServer::kConnections - RequestServer::kKeptForRoot;
     EXPECT_NE(refused.find("PT0336"), std::string::npos) << refused;
     tell(many[most - 1], press("reset"));
     serve(2);
@@ -287,19 +320,22 @@ TEST(ControllerDoor, AStrangerWhoTookTheNameIsToldNothingAndKeepsNobodyFromStart
         sockaddr_un address;
         const socklen_t size = abstract_name(instance, address);
         const int fd = ::socket(AF_UNIX, SOCK_STREAM, 0);
-        const bool good = ::bind(fd, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(fd, 5) == 0;
+        const bool good =
+            ::bind(fd, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(fd, 5) == 0;
         (void)!::write(told[1], &good, sizeof good);
         for (;;) {
             const int in = ::accept(fd, nullptr, nullptr);
             char heard = 0;
-            if (::read(in, &heard, 1) > 0) ::_exit(7);   // a password, perhaps
+            if (::read(in, &heard, 1) > 0) ::_exit(7);  // a password, perhaps
             ::close(in);
         }
     }
     bool good = false;
     ASSERT_EQ(::read(told[0], &good, sizeof good), static_cast<ssize_t>(sizeof good));
     ASSERT_TRUE(good);
-    const auto foreign = ask_controller(instance, R"({"do":"store","op":{"do":"users.login","name":"a","password":"secret"}})", 1000);
+    const auto foreign = ask_controller(
+        instance, R"({"do":"store","op":{"do":"users.login","name":"a","password":"secret"}})",
+        1000);
     ASSERT_FALSE(foreign);
     EXPECT_EQ(foreign.diagnosis().alarm, Alarm::InstanceForeign);
     {
@@ -314,7 +350,8 @@ TEST(ControllerDoor, AStrangerWhoTookTheNameIsToldNothingAndKeepsNobodyFromStart
     int status = 0;
     ::waitpid(stranger, &status, 0);
     EXPECT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) == 7) << "it was told something";
-    ::close(told[0]), ::close(told[1]);
+    ::close(told[0]);
+    ::close(told[1]);
 }
 
 }  // namespace

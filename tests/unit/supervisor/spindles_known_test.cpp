@@ -1,4 +1,4 @@
-#include "kernel/supervisor/spindles_known.hpp"
+#include "kernel/supervisor/check/spindles_known.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The log of stops: a shift of one channel, played look by look.
-#include "kernel/supervisor/stop_watch.hpp"
+#include "kernel/supervisor/start/stop_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,17 @@ class Shift {
 public:
     Shift() { is->step = static_cast<std::uint32_t>(MachineStep::Ready); }
     // So many seconds in this state, ten looks a second.
-    void pass(double seconds, ChannelState state, StopReason reason = StopReason::None, bool alarm = false) {
+    void pass(double seconds, ChannelState state, StopReason reason = StopReason::None,
+              bool alarm = false) {
         ChannelStatus& one = is->channels[1];
-        one.state = static_cast<std::uint32_t>(state), one.stop_reason = static_cast<std::int32_t>(reason), one.line = 30;
+        one.state = static_cast<std::uint32_t>(state);
+        one.stop_reason = static_cast<std::int32_t>(reason);
+        one.line = 30;
         for (int look = 0; look < static_cast<int>(seconds * 10); ++look, now += 100)
-            for (Stop& stop : watch.look(now, *is, alarm ? 2u : 0u, [](unsigned channel) { return "O" + std::to_string(channel); })) told.push_back(std::move(stop));
+            for (Stop& stop : watch.look(now, *is, alarm ? 2u : 0u, [](unsigned channel) {
+                     return "O" + std::to_string(channel);
+                 }))
+                told.push_back(std::move(stop));
     }
     std::unique_ptr<MachineStatus> is = std::make_unique<MachineStatus>();
     StopWatch watch;
@@ -31,7 +37,7 @@ public:
 
 TEST(StopWatch, TellsAStopWhenItHasLastedAndAgainWhenItIsOver) {
     Shift shift;
-    shift.pass(20, ChannelState::Reset);                       // nothing has run yet
+    shift.pass(20, ChannelState::Reset);  // nothing has run yet
     shift.pass(10, ChannelState::Running);
     EXPECT_TRUE(shift.told.empty());
     shift.pass(12.5, ChannelState::Held, StopReason::Held);
@@ -50,7 +56,8 @@ TEST(StopWatch, TellsAStopWhenItHasLastedAndAgainWhenItIsOver) {
 TEST(StopWatch, LeavesOutWhatBelongsToEveryProgram) {
     Shift shift;
     shift.pass(5, ChannelState::Running);
-    shift.is->channels[1].wait_code = 503, shift.is->channels[1].wait_missing = 0b101;
+    shift.is->channels[1].wait_code = 503;
+    shift.is->channels[1].wait_missing = 0b101;
     shift.pass(4.5, ChannelState::Waiting);
     shift.pass(1, ChannelState::Running);
     shift.pass(0.9, ChannelState::Held, StopReason::SingleBlock);
@@ -69,7 +76,8 @@ TEST(StopWatch, NamesAWaitAsTheLanguageOfTheProgramWritesIt) {
     Shift shift;
     shift.pass(5, ChannelState::Running);
     shift.is->channels[1].speaks = static_cast<std::uint32_t>(Dialect::Sinumerik);
-    shift.is->channels[1].wait_code = 3, shift.is->channels[1].wait_missing = 1;
+    shift.is->channels[1].wait_code = 3;
+    shift.is->channels[1].wait_missing = 1;
     shift.pass(60, ChannelState::Waiting);
     shift.is->channels[1].wait_code = 100;
     shift.pass(60, ChannelState::Waiting);
@@ -82,9 +90,10 @@ TEST(StopWatch, NamesAWaitAsTheLanguageOfTheProgramWritesIt) {
 TEST(StopWatch, TellsTheNextWaitAsAnotherStop) {
     Shift shift;
     shift.pass(2, ChannelState::Running);
-    shift.is->channels[1].wait_code = 500, shift.is->channels[1].wait_missing = 1;
+    shift.is->channels[1].wait_code = 500;
+    shift.is->channels[1].wait_missing = 1;
     shift.pass(7, ChannelState::Waiting);
-    shift.is->channels[1].wait_code = 501;       // what was between them was shorter than a look
+    shift.is->channels[1].wait_code = 501;  // what was between them was shorter than a look
     shift.pass(9, ChannelState::Waiting);
     ASSERT_EQ(shift.told.size(), 3u);
     EXPECT_EQ(shift.told[1].detail, "M500 L1");
@@ -97,7 +106,7 @@ TEST(StopWatch, NamesTheAlarmOfTheChannelOrOfTheMachine) {
     shift.pass(2, ChannelState::Running);
     shift.watch.alarm(2, "020", "radius differs");
     shift.pass(3, ChannelState::Interrupted, StopReason::Alarm, true);
-    shift.pass(2, ChannelState::Reset);                        // somebody has looked
+    shift.pass(2, ChannelState::Reset);  // somebody has looked
     shift.pass(2, ChannelState::Running);
     ASSERT_EQ(shift.told.size(), 4u);
     EXPECT_EQ(shift.told[1].cause, "alarm");
@@ -112,7 +121,12 @@ TEST(StopWatch, NamesTheAlarmOfTheChannelOrOfTheMachine) {
 }
 
 TEST(StopWatch, EachStateHasItsCauseAndEachCauseItsName) {
-    struct Row { ChannelState state; StopReason reason; MachineStep step; const char* cause; };
+    struct Row {
+        ChannelState state;
+        StopReason reason;
+        MachineStep step;
+        const char* cause;
+    };
     constexpr Row kRows[] = {
         {ChannelState::Held, StopReason::Held, MachineStep::Ready, "hold"},
         {ChannelState::Held, StopReason::SingleBlock, MachineStep::Ready, "single"},
@@ -137,7 +151,9 @@ TEST(StopWatch, EachStateHasItsCauseAndEachCauseItsName) {
         shift.pass(7, row.state, row.reason);
         ASSERT_EQ(shift.told.size(), 1u) << row.cause;
         EXPECT_EQ(shift.told[0].cause, row.cause);
-        EXPECT_NE(std::find(kStopCauses.begin(), kStopCauses.end(), shift.told[0].cause), kStopCauses.end()) << "the store would refuse it";
+        EXPECT_NE(std::find(kStopCauses.begin(), kStopCauses.end(), shift.told[0].cause),
+                  kStopCauses.end())
+            << "the store would refuse it";
     }
 }
 
@@ -145,7 +161,8 @@ TEST(StopWatch, EndsWithTheController) {
     Shift shift;
     shift.pass(2, ChannelState::Running);
     shift.pass(10, ChannelState::Ended, StopReason::M30);
-    shift.pass(5, ChannelState::Reset);                        // a reset behind the end changes nothing
+    // a reset behind the end changes nothing
+    shift.pass(5, ChannelState::Reset);
     EXPECT_EQ(shift.told.size(), 1u);
     const auto last = shift.watch.close(shift.now);
     ASSERT_EQ(last.size(), 1u);

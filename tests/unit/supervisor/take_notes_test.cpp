@@ -1,5 +1,6 @@
-// A channel's notes in the hands of a channel that writes what it likes: the supervisor neither leaves the ring nor is kept busy,
-// takes nothing that could pass for another's event, and holds no more than it must.
+// A channel's notes in the hands of a channel that writes what it likes: the supervisor neither
+// leaves the ring nor is kept busy, takes nothing that could pass for another's event, and holds no
+// more than it must.
 #include "kernel/supervisor/take_notes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@ class GuardedRing {
 public:
     GuardedRing() {
         const std::size_t page = 4096, whole = (sizeof(NoteHead) + page - 1) / page * page;
-        base_ = static_cast<char*>(mmap(nullptr, whole + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        base_ = static_cast<char*>(mmap(nullptr, whole + page, PROT_READ | PROT_WRITE,
+                                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
         size_ = whole + page;
         mprotect(base_ + whole, page, PROT_NONE);
         ring_ = new (base_ + whole - sizeof(NoteHead)) NoteHead;
@@ -48,7 +50,8 @@ TEST(TakeNotes, WhatIsWrittenComesRoundTheRing) {
     std::uint64_t number = 0;
     for (int round = 0; round < 200; ++round) {
         for (int i = 0; i < 40; ++i) {
-            const std::string text = R"({"ev":"aux","ch":1,"x":")" + std::string(random() % 3000, 'x') + "\"}\n";
+            const std::string text =
+                R"({"ev":"aux","ch":1,"x":")" + std::string(random() % 3000, 'x') + "\"}\n";
             if (!writer.push(++number, text)) break;
         }
         ASSERT_TRUE(take(*ring, tail, joiner)) << round;
@@ -64,14 +67,17 @@ TEST(TakeNotes, AHeadOrASizeThatCannotBeEndsTheReading) {
     std::atomic<std::uint64_t> tail{64};
     EventJoiner joiner;
     ring->bytes.fill(0);
-    for (const std::uint64_t head : {std::uint64_t{0}, std::uint64_t{8}, std::uint64_t{65}, 64 + kNoteRing + 8, ~std::uint64_t{0}, ~std::uint64_t{0} - 7}) {
+    for (const std::uint64_t head :
+         {std::uint64_t{0}, std::uint64_t{8}, std::uint64_t{65}, 64 + kNoteRing + 8,
+          ~std::uint64_t{0}, ~std::uint64_t{0} - 7}) {
         ring->head = head;
         EXPECT_FALSE(take(*ring, tail, joiner)) << head;
         EXPECT_EQ(tail.load(), 64u);
     }
     // Sizes that lead out of what was written, out of the ring, out of the segment.
     tail = kNoteRing - 16;
-    for (const std::uint32_t size : {2u, 100u, static_cast<std::uint32_t>(kNoteRing / 4 + 2), 0x7fffffffu, 0xffffffffu}) {
+    for (const std::uint32_t size :
+         {2u, 100u, static_cast<std::uint32_t>(kNoteRing / 4 + 2), 0x7fffffffu, 0xffffffffu}) {
         std::memcpy(&ring->bytes[kNoteRing - 16], &size, 4);
         for (const std::uint64_t ahead : {std::uint64_t{8}, std::uint64_t{16}}) {
             ring->head = tail + ahead;
@@ -80,7 +86,8 @@ TEST(TakeNotes, AHeadOrASizeThatCannotBeEndsTheReading) {
     }
     // Nothing but zeros: the rest is skipped once and not for ever.
     tail = 8;
-    ring->bytes.fill(0), ring->head = 8 + kNoteRing;
+    ring->bytes.fill(0);
+    ring->head = 8 + kNoteRing;
     EXPECT_FALSE(take(*ring, tail, joiner));
 }
 
@@ -95,8 +102,9 @@ TEST(TakeNotes, RandomBytesHurtNobody) {
     for (int round = 0; round < 3000; ++round) {
         EventJoiner joiner;
         tail = random() % 4 ? random() % (4 * kNoteRing) & ~std::uint64_t{7} : random();
-        ring->head = random() % 4 ? tail.load() + (random() % kNoteRing & ~std::uint64_t{7}) : random();
-        for (int k = 0; k < 64; ++k) {   // some of it looks right
+        ring->head =
+            random() % 4 ? tail.load() + (random() % kNoteRing & ~std::uint64_t{7}) : random();
+        for (int k = 0; k < 64; ++k) {  // some of it looks right
             const std::uint64_t at = (tail.load() + 8 * (random() % 200)) & (kNoteRing - 8);
             const std::uint32_t size = static_cast<std::uint32_t>(random() % 40);
             std::memcpy(&ring->bytes[at], &size, 4);
@@ -104,23 +112,35 @@ TEST(TakeNotes, RandomBytesHurtNobody) {
         const std::uint64_t before = tail.load();
         (void)take(*ring, tail, joiner);
         ASSERT_LE(tail.load() - before, kNoteRing);
-        for (std::uint64_t number = 0; number < 20; ++number) joiner.begin(1, random() % 100, 1.0), joiner.end(1, random() % 100, 2.0);
+        for (std::uint64_t number = 0; number < 20; ++number) {
+            joiner.begin(1, random() % 100, 1.0);
+            joiner.end(1, random() % 100, 2.0);
+        }
         (void)joiner.file_of(1, 1);
     }
 }
 
 TEST(TakeNotes, OnlyOneObjectOfItsOwnChannelIsTaken) {
     EventJoiner joiner;
-    for (const char* good : {"{}", R"({"ev":"move","ch":1})", "{\"ev\":\"aux\",\"ch\":1,\"text\":\"a } \\\" {\"}\n", R"({"ev":"sync","ch":1,"with":[{"a":[1]}]})"}) EXPECT_TRUE(joiner.note(1, 1, good)) << good;
-    for (const std::string& bad : {std::string(), std::string("x"), std::string("{"), std::string("[]"), std::string("{}{}"), std::string("{\"a\":1}\n{\"ev\":\"alarm\"}"), std::string("{\"a\":\"\n\"}"), std::string("{\"a\":\"}"),
-                                   std::string("{\"a\":\"\\"), std::string(R"({"ev":"move","ch":2})"), std::string(R"({"ev":"move","ch":x})"), "{\"a\":" + std::string(5000, '[') + std::string(5000, ']') + "}", std::string("{\0}", 3)})
+    for (const char* good :
+         {"{}", R"({"ev":"move","ch":1})", "{\"ev\":\"aux\",\"ch\":1,\"text\":\"a } \\\" {\"}\n",
+          R"({"ev":"sync","ch":1,"with":[{"a":[1]}]})"})
+        EXPECT_TRUE(joiner.note(1, 1, good)) << good;
+    for (const std::string& bad :
+         {std::string(), std::string("x"), std::string("{"), std::string("[]"), std::string("{}{}"),
+          std::string("{\"a\":1}\n{\"ev\":\"alarm\"}"), std::string("{\"a\":\"\n\"}"),
+          std::string("{\"a\":\"}"), std::string("{\"a\":\"\\"),
+          std::string(R"({"ev":"move","ch":2})"), std::string(R"({"ev":"move","ch":x})"),
+          "{\"a\":" + std::string(5000, '[') + std::string(5000, ']') + "}",
+          std::string("{\0}", 3)})
         EXPECT_FALSE(joiner.note(1, 1, bad)) << bad;
 }
 
 TEST(TakeNotes, AFloodIsBounded) {
     EventJoiner joiner;
     const std::string text = R"({"ev":"move","x":")" + std::string(2000, 'x') + "\"}";
-    for (std::uint64_t number = 1; number <= 200'000; ++number) ASSERT_TRUE(joiner.note(1, number, text));
+    for (std::uint64_t number = 1; number <= 200'000; ++number)
+        ASSERT_TRUE(joiner.note(1, number, text));
     EXPECT_TRUE(joiner.begin(1, 1, 0.0).empty()) << "the oldest has gone";
     EXPECT_FALSE(joiner.begin(1, 200'000, 0.0).empty());
     EXPECT_LE(EventJoiner::kMostBytes, std::size_t{32} << 20);

@@ -1,5 +1,5 @@
 // Who waited for whom, and which cut to move.
-#include "kernel/supervisor/timeline.hpp"
+#include "kernel/supervisor/run/timeline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,10 @@ RunRecord example() {
         activity.end_s = end;
         activity.line = line;
         activity.file = channel == 1 ? "O1" : "O2";
-        if (doing == Doing::Wait) activity.code = "M501", activity.partners = 3;
+        if (doing == Doing::Wait) {
+            activity.code = "M501";
+            activity.partners = 3;
+        }
         record.activities.push_back(activity);
     };
     add(1, Doing::Cut, 0, 3, 1);

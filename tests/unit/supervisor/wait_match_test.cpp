@@ -1,9 +1,11 @@
-// Waits of several programs: every fault named once, and for random programs the same verdict as a model of twenty lines.
-#include "kernel/supervisor/wait_match.hpp"
+// Waits of several programs: every fault named once, and for random programs the same verdict as a
+// model of twenty lines.
+#include "kernel/supervisor/check/wait_match.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
+
 #include "tests/property.hpp"
 
 namespace polyturn::supervisor {
@@ -20,7 +22,9 @@ WaitMatcher matcher_of(const Programs& programs) {
     for (const auto& [channel, waits] : programs) {
         matcher.begin(channel);
         std::uint32_t line = 0;
-        for (const Planned& wait : waits) matcher.arrive(channel, {wait.code, wait.set, "O" + std::to_string(channel), ++line * 10});
+        for (const Planned& wait : waits)
+            matcher.arrive(channel,
+                           {wait.code, wait.set, "O" + std::to_string(channel), ++line * 10});
         matcher.end(channel, false);
     }
     return matcher;
@@ -36,12 +40,20 @@ std::vector<Alarm> faults_of(const Programs& programs, std::size_t* meetings = n
 
 TEST(WaitMatch, FitsTogether) {
     std::size_t meetings = 0;
-    EXPECT_TRUE(faults_of({{1, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}, {2, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}}, &meetings).empty());
+    EXPECT_TRUE(faults_of({{1, {{"M501", 3}, {"M502", 3}, {"M501", 3}}},
+                           {2, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}},
+                          &meetings)
+                    .empty());
     EXPECT_EQ(meetings, 3u);
     // Three channels, as nct_parameters_part2 23.4: the third comes first and waits.
-    EXPECT_TRUE(faults_of({{1, {{"M520", 3}, {"M521", 7}}}, {2, {{"M520", 3}, {"M521", 7}}}, {3, {{"M521", 7}}}}, &meetings).empty());
+    EXPECT_TRUE(
+        faults_of(
+            {{1, {{"M520", 3}, {"M521", 7}}}, {2, {{"M520", 3}, {"M521", 7}}}, {3, {{"M521", 7}}}},
+            &meetings)
+            .empty());
     EXPECT_EQ(meetings, 2u);
-    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());  // only itself: passes at once
+    // only itself: passes at once
+    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());
     EXPECT_EQ(meetings, 0u);
 }
 
@@ -69,11 +81,16 @@ TEST(WaitMatch, EachFaultIsNamedOnce) {
         {{{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}}}}, {A::SyncUnpaired}},
         {{{1, {{"M501", 5}}}, {2, {}}}, {A::SyncAbsent}},
         {{{1, {{"M501", 3}}}, {2, {{"M501", 7}}}, {3, {{"M501", 7}}}}, {A::SyncDifferentSets}},
-        {{{1, {{"M501", 3}, {"M503", 3}}}, {2, {{"M501", 1 | 2 | 4}, {"M503", 3}}}, {3, {}}}, {A::SyncDifferentSets}},
+        {{{1, {{"M501", 3}, {"M503", 3}}}, {2, {{"M501", 1 | 2 | 4}, {"M503", 3}}}, {3, {}}},
+         {A::SyncDifferentSets}},
         // 1 waits for 2, 2 for 3, 3 for 1, and everybody would come later.
-        {{{1, {{"M501", 3}, {"M503", 5}}}, {2, {{"M502", 6}, {"M501", 3}}}, {3, {{"M503", 5}, {"M502", 6}}}}, {A::SyncCycle}},
+        {{{1, {{"M501", 3}, {"M503", 5}}},
+          {2, {{"M502", 6}, {"M501", 3}}},
+          {3, {{"M503", 5}, {"M502", 6}}}},
+         {A::SyncCycle}},
         // Two independent faults.
-        {{{1, {{"M501", 3}, {"M502", 3}, {"M509", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}}, {A::SyncCycle, A::SyncUnpaired}},
+        {{{1, {{"M501", 3}, {"M502", 3}, {"M509", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}},
+         {A::SyncCycle, A::SyncUnpaired}},
     };
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         SCOPED_TRACE(i);
@@ -82,11 +99,13 @@ TEST(WaitMatch, EachFaultIsNamedOnce) {
 }
 
 TEST(WaitMatch, AFaultNamesChannelsProgramsAndLines) {
-    WaitMatcher matcher = matcher_of({{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}});
+    WaitMatcher matcher =
+        matcher_of({{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}});
     const auto faults = matcher.find_faults();
     ASSERT_EQ(faults.size(), 1u);
     const std::string text = faults[0].diagnosis.text();
-    for (const char* word : {"L1", "L2", "O1:10", "O2:10", "M501", "M502"}) EXPECT_NE(text.find(word), std::string::npos) << word << " in " << text;
+    for (const char* word : {"L1", "L2", "O1:10", "O2:10", "M501", "M502"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " in " << text;
     EXPECT_EQ(faults[0].channel, 2u);  // it came last
     EXPECT_EQ(faults[0].places.size(), 2u);
 }
@@ -101,7 +120,8 @@ TEST(WaitMatch, NothingIsSaidAboutWhatFollowsAnAlarm) {
     EXPECT_TRUE(matcher.find_faults().empty());
 }
 
-// The obvious model: let everybody whose set is complete go on, until nothing moves. Right when all are through.
+// The obvious model: let everybody whose set is complete go on, until nothing moves. Right when all
+// are through.
 bool model_fits(Programs programs, std::size_t& meetings) {
     std::map<unsigned, std::size_t> next;
     meetings = 0;
@@ -114,8 +134,10 @@ bool model_fits(Programs programs, std::size_t& meetings) {
             for (unsigned other = 1; other <= 8; ++other) {
                 if (!(wait.set >> (other - 1) & 1u)) continue;
                 const auto found = programs.find(other);
-                complete = complete && found != programs.end() && next[other] < found->second.size() &&
-                           std::string_view(found->second[next[other]].code) == wait.code && found->second[next[other]].set == wait.set;
+                complete = complete && found != programs.end() &&
+                           next[other] < found->second.size() &&
+                           std::string_view(found->second[next[other]].code) == wait.code &&
+                           found->second[next[other]].set == wait.set;
             }
             if (!complete) continue;
             for (unsigned other = 1; other <= 8; ++other)

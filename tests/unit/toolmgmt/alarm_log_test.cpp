@@ -10,7 +10,9 @@ namespace polyturn::toolmgmt {
 namespace {
 
 TEST(AlarmLog, IsReadInPagesAndOutlivesTheProcess) {
-    const std::string folder = (std::filesystem::temp_directory_path() / ("alarm-log-" + std::to_string(getpid()))).string();
+    const std::string folder =
+        (std::filesystem::temp_directory_path() / ("alarm-log-" + std::to_string(getpid())))
+            .string();
     {
         auto disk = Database::open(folder);
         ASSERT_TRUE(disk) << disk.diagnosis().text();
@@ -22,7 +24,8 @@ TEST(AlarmLog, IsReadInPagesAndOutlivesTheProcess) {
     {
         auto disk = Database::open(folder);
         ASSERT_TRUE(disk) << disk.diagnosis().text();
-        const auto first = disk->alarms("2026-01-05T12:00:00Z", 0, 2);   // before the fifth: the controller itself still knows that one
+        // before the fifth: the controller itself still knows that one
+        const auto first = disk->alarms("2026-01-05T12:00:00Z", 0, 2);
         ASSERT_TRUE(first);
         ASSERT_EQ(first->size(), 2u);
         EXPECT_EQ((*first)[0].event, "{\"day\":4}");

@@ -1,4 +1,5 @@
-// A store that was damaged, cut or robbed of a file says so at its start: no production, and nobody has more rights than before.
+// A store that was damaged, cut or robbed of a file says so at its start: no production, and nobody
+// has more rights than before.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
@@ -9,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "ipc/image/store_news.hpp"
+#include "ipc/image/store_changes.hpp"
 #include "store_rig.hpp"
 #include "tests/places.hpp"
 #include "tests/seeds.hpp"
@@ -31,7 +32,9 @@ Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::
     constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
     std::uint64_t last = 0;
     for (std::size_t at = 0; at < text.size(); at += kPiece) {
-        StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < text.size() ? kMoreFollows : 0, 0);
+        StoreRequest request =
+            store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at),
+                          at + kPiece < text.size() ? kMoreFollows : 0, 0);
         request.level = static_cast<std::uint32_t>(level);
         put_name(request, std::string_view(text).substr(at, kPiece));
         last = rig.send(request);
@@ -39,7 +42,8 @@ Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::
     std::string answer;
     for (int i = 0; i < 100'000 && !rig.ended(); ++i, usleep(100))
         while (const auto piece = rig.take_answer())
-            if (piece->id == last && (answer += piece->text.data(), !piece->more)) return Json::parse(answer, nullptr, false);
+            if (piece->id == last && (answer += piece->text.data(), !piece->more))
+                return Json::parse(answer, nullptr, false);
     return {};
 }
 
@@ -47,7 +51,9 @@ std::string content(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
-void put(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes; }
+void put(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
 
 // One bit of a page that the log does not bring anew.
 void flip_one_bit(const std::string& folder) {
@@ -63,13 +69,32 @@ void flip_one_bit(const std::string& folder) {
 // A store with a maker, a setter and some offsets, killed: its log holds the newest of it.
 class DamagedStore : public ::testing::Test {
 protected:
-    DamagedStore() : rig("damage"), folder(rig.folder + "/store"), whole(rig.folder + "/whole"), arguments{"--store", folder, "--machine", kMachine} {
+    DamagedStore()
+        : rig("damage"),
+          folder(rig.folder + "/store"),
+          whole(rig.folder + "/whole"),
+          arguments{"--store", folder, "--machine", kMachine} {
         EXPECT_TRUE(rig.start(arguments)) << rig.messages();
-        EXPECT_TRUE(operate(rig, {{"do", "users.add"}, {"name", "boss"}, {"level", "maker"}, {"password", "topsecret"}}).value("ok", false));
-        EXPECT_TRUE(operate(rig, {{"do", "users.add"}, {"name", "anna"}, {"level", "operator"}, {"password", "secret1"}}).value("ok", false));
-        EXPECT_EQ(rig.stop(), 0);   // the log is folded in
+        EXPECT_TRUE(operate(rig, {{"do", "users.add"},
+                                  {"name", "boss"},
+                                  {"level", "maker"},
+                                  {"password", "topsecret"}})
+                        .value("ok", false));
+        EXPECT_TRUE(operate(rig, {{"do", "users.add"},
+                                  {"name", "anna"},
+                                  {"level", "operator"},
+                                  {"password", "secret1"}})
+                        .value("ok", false));
+        EXPECT_EQ(rig.stop(), 0);  // the log is folded in
         EXPECT_TRUE(rig.start(arguments)) << rig.messages();
-        for (int n = 1; n <= 6; ++n) EXPECT_TRUE(operate(rig, {{"do", "offsets.set"}, {"channel", 1}, {"number", n}, {"table", "geometry"}, {"field", "X"}, {"value", n * 1.5}}).value("ok", false));
+        for (int n = 1; n <= 6; ++n)
+            EXPECT_TRUE(operate(rig, {{"do", "offsets.set"},
+                                      {"channel", 1},
+                                      {"number", n},
+                                      {"table", "geometry"},
+                                      {"field", "X"},
+                                      {"value", n * 1.5}})
+                            .value("ok", false));
         rig.kill_now();
         fs::copy(folder, whole, fs::copy_options::recursive);
     }
@@ -77,15 +102,20 @@ protected:
         rig.kill_now();
         fs::remove_all(folder);
         fs::copy(whole, folder, fs::copy_options::recursive);
-        rig.supervisor->requests.head = 0, rig.supervisor->answer_tail.tail = 0;
+        rig.supervisor->requests.head = 0;
+        rig.supervisor->answer_tail.tail = 0;
         remove_instance_but_supervisor();
     }
-    void remove_instance_but_supervisor() { rig.store.reset(); rig.supervisor->header.generation += 1; }
+    void remove_instance_but_supervisor() {
+        rig.store.reset();
+        rig.supervisor->header.generation += 1;
+    }
     // Started, said, no production, and somebody must log in.
     void expect_found(const std::string& what) {
         SCOPED_TRACE(what);
         ASSERT_TRUE(rig.start(arguments)) << rig.messages();
-        const bool said = rig.messages().find("PT0401") != std::string::npos || rig.messages().find("PT0407") != std::string::npos;
+        const bool said = rig.messages().find("PT0401") != std::string::npos ||
+                          rig.messages().find("PT0407") != std::string::npos;
         EXPECT_TRUE(said) << rig.messages();
         ASSERT_GE((*rig.store)->tool_answers.head.load(), 1u);
         EXPECT_EQ((*rig.store)->tool_answers.slot(0).alarm, kStoreUnfit);
@@ -146,7 +176,8 @@ TEST_F(DamagedStore, SaysThatTheMainFileIsGoneEmptyCutOrDamaged) {
     flip_one_bit(folder);
     expect_found("one bit of a page");
     mend();
-    fs::remove(main), fs::remove(main.string() + "-wal");
+    fs::remove(main);
+    fs::remove(main.string() + "-wal");
     expect_found("both deleted");
 }
 
@@ -160,7 +191,8 @@ TEST_F(DamagedStore, SaysThatWitnessOrSumsAreGone) {
 
 // Every bit of log and main file in turn, by what judges them at the start.
 TEST_F(DamagedStore, IsFoundWhicheverBitIsFlipped) {
-    const std::string main = content(folder + "/store.sqlite"), log = content(folder + "/store.sqlite-wal");
+    const std::string main = content(folder + "/store.sqlite"),
+                      log = content(folder + "/store.sqlite-wal");
     toolmgmt::PageSums sums;
     ASSERT_EQ(sums.read(folder), toolmgmt::PageSums::State::Good);
     const toolmgmt::LogPages none;
@@ -170,7 +202,8 @@ TEST_F(DamagedStore, IsFoundWhicheverBitIsFlipped) {
         page = main.substr((number - 1) * 4096u, 4096);
         for (std::size_t bit = 0; bit < page.size() * 8; ++bit) {
             page[bit / 8] = static_cast<char>(page[bit / 8] ^ (1 << bit % 8));
-            if (toolmgmt::page_sum(number, page) == sums.sums[number - 1]) FAIL() << "page " << number << " bit " << bit;
+            if (toolmgmt::page_sum(number, page) == sums.sums[number - 1])
+                FAIL() << "page " << number << " bit " << bit;
             page[bit / 8] = static_cast<char>(page[bit / 8] ^ (1 << bit % 8));
         }
     }
@@ -181,17 +214,21 @@ TEST_F(DamagedStore, IsFoundWhicheverBitIsFlipped) {
         fs::remove_all(copy);
         fs::copy(folder, copy, fs::copy_options::recursive);
         std::string flipped = log;
-        const std::size_t bit = i < 32 * 8 && i % 3 == 0 ? static_cast<std::size_t>(i) : random() % (log.size() * 8);
+        const std::size_t bit =
+            i < 32 * 8 && i % 3 == 0 ? static_cast<std::size_t>(i) : random() % (log.size() * 8);
         flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
         put(copy + "/store.sqlite-wal", flipped);
         auto store = toolmgmt::Database::open(copy);
         ASSERT_TRUE(store) << store.diagnosis().text();
-        if (!store->condition().unfit) {   // nothing hangs on it: all is there
+        if (!store->condition().unfit) {  // nothing hangs on it: all is there
             auto values = std::make_unique<toolmgmt::StoreValues>();
             toolmgmt::clear(*values);
             std::vector<Diagnosis> warnings;
             ASSERT_TRUE(store->read_into(*values, warnings));
-            for (int n = 1; n <= 6; ++n) EXPECT_EQ(values->channels[0].offsets[static_cast<std::size_t>(n)].geometry[0], n * 1.5) << "bit " << bit;
+            for (int n = 1; n <= 6; ++n)
+                EXPECT_EQ(values->channels[0].offsets[static_cast<std::size_t>(n)].geometry[0],
+                          n * 1.5)
+                    << "bit " << bit;
         }
     }
 }
@@ -210,9 +247,22 @@ TEST_F(DamagedStore, WorksAgainOnceAMakerHasConfirmed) {
     mend();
     flip_one_bit(folder);
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
-    EXPECT_FALSE(operate(rig, {{"do", "offsets.set"}, {"channel", 1}, {"number", 1}, {"table", "geometry"}, {"field", "X"}, {"value", 3}}).value("ok", true)) << "nothing is kept in a damaged file";
+    EXPECT_FALSE(operate(rig, {{"do", "offsets.set"},
+                               {"channel", 1},
+                               {"number", 1},
+                               {"table", "geometry"},
+                               {"field", "X"},
+                               {"value", 3}})
+                     .value("ok", true))
+        << "nothing is kept in a damaged file";
     EXPECT_TRUE(operate(rig, {{"do", "store.confirm"}}).value("ok", false));
-    EXPECT_TRUE(operate(rig, {{"do", "offsets.set"}, {"channel", 1}, {"number", 1}, {"table", "geometry"}, {"field", "X"}, {"value", 3}}).value("ok", false));
+    EXPECT_TRUE(operate(rig, {{"do", "offsets.set"},
+                              {"channel", 1},
+                              {"number", 1},
+                              {"table", "geometry"},
+                              {"field", "X"},
+                              {"value", 3}})
+                    .value("ok", false));
     rig.kill_now();
     remove_instance_but_supervisor();
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
@@ -234,13 +284,17 @@ TEST(StoreFiles, AreTheirOwnersOnly) {
     ASSERT_TRUE(rig.start({"--store", folder, "--machine", kMachine})) << rig.messages();
     umask(before);
     ASSERT_EQ(rig.ask(parameter_request("N1600 L1=2.5"))->ok, 1u);
-    ASSERT_TRUE(operate(rig, {{"do", "backup.to"}, {"file", folder + "/backups/hand.ptb"}, {"make_folder", true}}).value("ok", false));
+    ASSERT_TRUE(operate(rig, {{"do", "backup.to"},
+                              {"file", folder + "/backups/hand.ptb"},
+                              {"make_folder", true}})
+                    .value("ok", false));
     const auto all_private = [&] {
         int files = 0;
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (!entry.is_regular_file()) continue;
             ++files;
-            EXPECT_EQ(static_cast<unsigned>(entry.status().permissions()) & 077u, 0u) << entry.path();
+            EXPECT_EQ(static_cast<unsigned>(entry.status().permissions()) & 077u, 0u)
+                << entry.path();
         }
         return files;
     };
@@ -260,16 +314,19 @@ TEST(StoreFiles, FoldTheLogInWhenNobodyWantsAnything) {
     ASSERT_EQ(rig.ask(parameter_request("N1600 L1=2.5"))->ok, 1u);
     EXPECT_GT(fs::file_size(folder + "/store.sqlite-wal"), 0u);
     bool folded = false;
-    for (int i = 0; i < 3000 && !folded; ++i, usleep(10'000)) folded = fs::file_size(folder + "/store.sqlite-wal") == 0;
+    for (int i = 0; i < 3000 && !folded; ++i, usleep(10'000))
+        folded = fs::file_size(folder + "/store.sqlite-wal") == 0;
     EXPECT_TRUE(folded);
 }
 
-// What a backup names is judged before anything is written: nothing leaves the machine's folder, native code is asked for.
+// What a backup names is judged before anything is written: nothing leaves the machine's folder,
+// native code is asked for.
 TEST(Restore, WritesOnlyWhatABackupOfThisProductHolds) {
     StoreRig rig("foreign-backup");
     const std::string machine = rig.folder + "/machine", outside = rig.folder + "/outside";
     fs::copy(kMachine, machine, fs::copy_options::recursive);
-    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", machine})) << rig.messages();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", machine}))
+        << rig.messages();
     const std::string good = rig.folder + "/good.ptb";
     ASSERT_TRUE(operate(rig, {{"do", "backup.to"}, {"file", good}}).value("ok", false));
     const auto spoil = [&](const std::string& sql) {
@@ -277,19 +334,30 @@ TEST(Restore, WritesOnlyWhatABackupOfThisProductHolds) {
         fs::copy_file(good, file, fs::copy_options::overwrite_existing);
         sqlite3* db = nullptr;
         EXPECT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
-        EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql << sqlite3_errmsg(db);
+        EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+            << sql << sqlite3_errmsg(db);
         sqlite3_close(db);
         return operate(rig, {{"do", "restore.from"}, {"file", file}});
     };
-    const auto file = [](const std::string& name, const std::string& path, const std::string& bytes) { return "INSERT INTO backup_files VALUES('" + name + "','" + path + "',CAST('" + bytes + "' AS BLOB))"; };
-    for (const std::string& name : {std::string("evil"), std::string("machine/../../outside"), std::string("machine//outside"), std::string("machine/.hidden"), std::string("/etc/x"), std::string("machine/a/../../../outside")}) {
+    const auto file = [](const std::string& name, const std::string& path,
+                         const std::string& bytes) {
+        return "INSERT INTO backup_files VALUES('" + name + "','" + path + "',CAST('" + bytes +
+               "' AS BLOB))";
+    };
+    for (const std::string& name :
+         {std::string("evil"), std::string("machine/../../outside"),
+          std::string("machine//outside"), std::string("machine/.hidden"), std::string("/etc/x"),
+          std::string("machine/a/../../../outside")}) {
         const Json told = spoil(file(name, outside, "x"));
         EXPECT_EQ(told.value("number", ""), "PT0441") << name << told.dump();
     }
-    EXPECT_EQ(spoil(file("machine/more.params", outside, "N99999 = what")).value("number", ""), "PT0441");
+    EXPECT_EQ(spoil(file("machine/more.params", outside, "N99999 = what")).value("number", ""),
+              "PT0441");
     EXPECT_EQ(spoil(file("machine/more.toml", outside, "a = [")).value("number", ""), "PT0441");
     EXPECT_EQ(spoil("CREATE VIEW v AS SELECT 1").value("number", ""), "PT0441");
-    EXPECT_EQ(spoil("CREATE TRIGGER t AFTER INSERT ON history BEGIN DELETE FROM records; END").value("number", ""), "PT0441");
+    EXPECT_EQ(spoil("CREATE TRIGGER t AFTER INSERT ON history BEGIN DELETE FROM records; END")
+                  .value("number", ""),
+              "PT0441");
     EXPECT_EQ(spoil(file("machine/plc.so", outside, "x")).value("number", ""), "PT0442");
     EXPECT_FALSE(fs::exists(machine + "/plc.so"));
     fs::create_directory(rig.folder + "/elsewhere");
@@ -305,9 +373,11 @@ TEST(Restore, WritesOnlyWhatABackupOfThisProductHolds) {
     const std::string bytes = content(good);
     for (int i = 0; i < 60; ++i) {
         std::string spoilt = bytes.substr(0, i % 4 ? bytes.size() : random() % bytes.size());
-        for (int k = 0; k < 40 && !spoilt.empty(); ++k) spoilt[random() % spoilt.size()] = static_cast<char>(random());
+        for (int k = 0; k < 40 && !spoilt.empty(); ++k)
+            spoilt[random() % spoilt.size()] = static_cast<char>(random());
         put(rig.folder + "/bad.ptb", spoilt);
-        const Json told = operate(rig, {{"do", "restore.from"}, {"file", rig.folder + "/bad.ptb"}, {"preview", true}});
+        const Json told = operate(
+            rig, {{"do", "restore.from"}, {"file", rig.folder + "/bad.ptb"}, {"preview", true}});
         ASSERT_TRUE(told.is_object()) << i << rig.messages();
     }
     EXPECT_FALSE(rig.ended());
@@ -315,25 +385,52 @@ TEST(Restore, WritesOnlyWhatABackupOfThisProductHolds) {
 
 TEST(StoreRequests, ThatAreNoneAreRefusedAndTheStoreLives) {
     StoreRig rig("hostile");
-    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine})) << rig.messages();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine}))
+        << rig.messages();
     const auto pid = rig.pid;
     const Json one = Json::array({1});
     std::vector<Json> hostile = {
-        {{"do", "tools.list"}, {"preview", "x"}}, {{"do", "tools.list"}, {"preview", 1}}, {{"do", one}}, {{"do", "offsets.set"}, {"incremental", "x"}, {"channel", 1}, {"number", 1}, {"field", "X"}, {"value", 1}},
-        {{"do", "zeros.set"}, {"incremental", one}, {"channel", 1}, {"field", "X"}, {"value", 1}}, {{"do", "tools.add"}, {"fields", one}}, {{"do", "parts.add"}, {"fields", "x"}}, {{"do", "pallets.set"}, {"row", 1}, {"fields", one}},
-        {{"do", "backup.to"}, {"file", rig.folder + "/b.ptb"}, {"make_folder", "x"}}, {{"do", "restore.from"}, {"file", one}, {"with_plc", 3}}, {{"do", "offsets.set"}, {"channel", "9999999999999999999"}, {"number", 1}, {"field", "X"}, {"value", 1}},
-        {{"do", "offsets.list"}, {"channel", Json::object()}}, {{"do", "history.list"}, {"most", "x"}}, {{"do", "users.login"}, {"name", one}, {"password", one}}, {{"do", "life.reset"}, {"tools", Json::array({one, "x", 99999999999})}},
-        {{"do", "compensation.set"}, {"cells", Json::array({one})}}, {{"do", "alarms.note"}, {"events", Json::array({1, "x", one})}}, {{"do", "stops.note"}, {"utc", 5}, {"channel", one}}, {{"do", "tools.import"}, {"text", one}}};
+        {{"do", "tools.list"}, {"preview", "x"}},
+        {{"do", "tools.list"}, {"preview", 1}},
+        {{"do", one}},
+        {{"do", "offsets.set"},
+         {"incremental", "x"},
+         {"channel", 1},
+         {"number", 1},
+         {"field", "X"},
+         {"value", 1}},
+        {{"do", "zeros.set"}, {"incremental", one}, {"channel", 1}, {"field", "X"}, {"value", 1}},
+        {{"do", "tools.add"}, {"fields", one}},
+        {{"do", "parts.add"}, {"fields", "x"}},
+        {{"do", "pallets.set"}, {"row", 1}, {"fields", one}},
+        {{"do", "backup.to"}, {"file", rig.folder + "/b.ptb"}, {"make_folder", "x"}},
+        {{"do", "restore.from"}, {"file", one}, {"with_plc", 3}},
+        {{"do", "offsets.set"},
+         {"channel", "9999999999999999999"},
+         {"number", 1},
+         {"field", "X"},
+         {"value", 1}},
+        {{"do", "offsets.list"}, {"channel", Json::object()}},
+        {{"do", "history.list"}, {"most", "x"}},
+        {{"do", "users.login"}, {"name", one}, {"password", one}},
+        {{"do", "life.reset"}, {"tools", Json::array({one, "x", 99999999999})}},
+        {{"do", "compensation.set"}, {"cells", Json::array({one})}},
+        {{"do", "alarms.note"}, {"events", Json::array({1, "x", one})}},
+        {{"do", "stops.note"}, {"utc", 5}, {"channel", one}},
+        {{"do", "tools.import"}, {"text", one}}};
     for (const Json& request : hostile) {
         const Json told = operate(rig, request);
         ASSERT_TRUE(told.is_object()) << request.dump() << " " << rig.messages();
         EXPECT_FALSE(told.value("ok", true)) << request.dump() << told.dump();
     }
-    std::string nested = R"({"do":"tools.list","x":)" + std::string(20'000, '[') + std::string(20'000, ']') + "}";
+    std::string nested =
+        R"({"do":"tools.list","x":)" + std::string(20'000, '[') + std::string(20'000, ']') + "}";
     constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
     std::uint64_t last = 0;
     for (std::size_t at = 0; at < nested.size(); at += kPiece) {
-        StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < nested.size() ? kMoreFollows : 0, 0);
+        StoreRequest request =
+            store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at),
+                          at + kPiece < nested.size() ? kMoreFollows : 0, 0);
         put_name(request, std::string_view(nested).substr(at, kPiece));
         while (rig.supervisor->requests.head - (*rig.store)->request_tail.tail >= 250) usleep(100);
         last = rig.send(request);
@@ -347,22 +444,27 @@ TEST(StoreRequests, ThatAreNoneAreRefusedAndTheStoreLives) {
     EXPECT_EQ(rig.pid, pid);
 }
 
-// The store dies in the middle of an operation, by whatever: its successor finds it begun, does not read it again, says so to whoever
-// waits, and serves the next one. A hash of a password takes long enough to be met at work.
+// The store dies in the middle of an operation, by whatever: its successor finds it begun, does not
+// read it again, says so to whoever waits, and serves the next one. A hash of a password takes long
+// enough to be met at work.
 TEST(StoreRequests, OneThatKilledItsReaderIsNotReadAgain) {
     StoreRig rig("killer");
-    const std::vector<std::string> arguments{"--store", rig.folder + "/store", "--machine", kMachine};
+    const std::vector<std::string> arguments{"--store", rig.folder + "/store", "--machine",
+                                             kMachine};
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     int refused = 0;
     for (int round = 0; round < 6; ++round) {
         const std::string name = "user" + std::to_string(round);
         StoreRequest request = store_request(StoreRequestKind::Operation, 0, 0, 0, 0);
         request.level = static_cast<std::uint32_t>(UserLevel::Maker);
-        put_name(request, Json{{"do", "users.add"}, {"name", name}, {"level", "maker"}, {"password", "secret1"}}.dump());
+        put_name(
+            request,
+            Json{{"do", "users.add"}, {"name", name}, {"level", "maker"}, {"password", "secret1"}}
+                .dump());
         const auto& answers = (*rig.store)->answers;
         const auto head = answers.head.load();
         const auto id = rig.send(request);
-        const volatile auto& begun = answers.slot(head).id;   // where it says what it works on
+        const volatile auto& begun = answers.slot(head).id;  // where it says what it works on
         while (begun != id && answers.head.load() == head) {}
         usleep(static_cast<useconds_t>(round) * 4000);
         rig.kill_now();

@@ -1,4 +1,5 @@
-// Random requests against a plain std::map, with the file reopened in between; and files that end in the middle of a write.
+// Random requests against a plain std::map, with the file reopened in between; and files that end
+// in the middle of a write.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -25,13 +26,20 @@ using namespace polyturn::toolmgmt;
 namespace fs = std::filesystem;
 
 struct Folder {
-    explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("polyturn-" + name + "-" + std::to_string(getpid()))) { fs::remove_all(path); }
-    ~Folder() { std::error_code none; fs::remove_all(path, none); }
+    explicit Folder(const std::string& name)
+        : path(fs::temp_directory_path() / ("polyturn-" + name + "-" + std::to_string(getpid()))) {
+        fs::remove_all(path);
+    }
+    ~Folder() {
+        std::error_code none;
+        fs::remove_all(path, none);
+    }
     fs::path path;
 };
 
 const params::Table& machine_table() {
-    static const LoadedMachine loaded = load_machine_file(std::string(kSourceFolder) + "/examples/machines/twin-turret");
+    static const LoadedMachine loaded =
+        load_machine_file(std::string(kSourceFolder) + "/examples/machines/twin-turret");
     return *loaded.table;
 }
 
@@ -47,22 +55,26 @@ using Model = std::map<Key, double>;
 // A request that is right, and what the model must hold after it.
 StoreRequest random_request(Model& model) {
     const auto channel = *rc::gen::inRange(1, 3);
-    const double value = *rc::gen::element(0.0, -0.0, 1.0, -2.5, 0.1, 1e-300, 123456.789, *rc::gen::arbitrary<double>());
-    const double finite = std::isfinite(value) ? value + 0.0 : 7.0;   // -0 is stored as 0
+    const double value = *rc::gen::element(0.0, -0.0, 1.0, -2.5, 0.1, 1e-300, 123456.789,
+                                           *rc::gen::arbitrary<double>());
+    const double finite = std::isfinite(value) ? value + 0.0 : 7.0;  // -0 is stored as 0
     switch (*rc::gen::inRange(0, 6)) {
         case 0: {
             const auto number = *rc::gen::inRange(1, 33);
             const auto field = static_cast<OffsetField>(*rc::gen::inRange(0, 4));
             model[{Kind::Offset, channel, number, static_cast<int>(field), {}}] = finite;
-            return offset_request(static_cast<unsigned>(channel), number, OffsetTable::Geometry, field, finite);
+            return offset_request(static_cast<unsigned>(channel), number, OffsetTable::Geometry,
+                                  field, finite);
         }
         case 1: {
             const auto number = *rc::gen::inRange(1, 33);
             model[{Kind::Offset, channel, number, 256 + 2, {}}] = finite;
-            return offset_request(static_cast<unsigned>(channel), number, OffsetTable::Wear, OffsetField::Z, finite);
+            return offset_request(static_cast<unsigned>(channel), number, OffsetTable::Wear,
+                                  OffsetField::Z, finite);
         }
         case 2: {
-            const auto row = *rc::gen::inRange(0, static_cast<int>(kWorkZeros)), place = *rc::gen::inRange(0, 3);
+            const auto row = *rc::gen::inRange(0, static_cast<int>(kWorkZeros)),
+                       place = *rc::gen::inRange(0, 3);
             model[{Kind::WorkZero, channel, row, place, {}}] = finite;
             return work_zero_request(static_cast<unsigned>(channel), row, place, finite);
         }
@@ -70,7 +82,8 @@ StoreRequest random_request(Model& model) {
             const auto index = *rc::gen::inRange(0, 500);
             const double or_empty = *rc::gen::element(finite, std::nan(""));
             model[{Kind::Variable, channel, index, 0, {}}] = or_empty;
-            return variable_request(static_cast<unsigned>(channel), "#" + std::to_string(500 + index), or_empty);
+            return variable_request(static_cast<unsigned>(channel),
+                                    "#" + std::to_string(500 + index), or_empty);
         }
         case 4: {
             const auto axis = *rc::gen::inRange(1, 97);
@@ -80,18 +93,24 @@ StoreRequest random_request(Model& model) {
         default: {
             const int cut = *rc::gen::inRange(0, 1000);
             model[{Kind::Parameter, channel, 0, 0, "N1600"}] = cut;
-            return parameter_request("N1600 L" + std::to_string(channel) + "=" + std::to_string(cut));
+            return parameter_request("N1600 L" + std::to_string(channel) + "=" +
+                                     std::to_string(cut));
         }
     }
 }
 
-bool same(double a, double b) { return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same(double a, double b) {
+    return (std::isnan(a) && std::isnan(b)) ||
+           std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 void compare(const Model& model, StoreValues& values) {
     for (const auto& [key, expected] : model) {
         const double* at = number_at(values, key);
         RC_ASSERT(at != nullptr);
-        if (!same(*at, expected)) RC_FAIL(describe(key) + " is " + std::to_string(*at) + ", should be " + std::to_string(expected));
+        if (!same(*at, expected))
+            RC_FAIL(describe(key) + " is " + std::to_string(*at) + ", should be " +
+                    std::to_string(expected));
     }
 }
 
@@ -112,7 +131,8 @@ TEST(StoreModel, HoldsExactlyWhatAMapHoldsAfterEveryReopening) {
                 std::vector<Change> changes;
                 std::map<Key, Change> merged;
                 for (int count = *rc::gen::inRange(0, 12); count > 0; --count) {
-                    const auto applied = apply_request(random_request(model), Origin::Program, machine, *values);
+                    const auto applied =
+                        apply_request(random_request(model), Origin::Program, machine, *values);
                     RC_ASSERT(applied.ok());
                     for (const Change& change : applied->changes) merged[change.key] = change;
                 }
@@ -144,14 +164,16 @@ TEST(StoreModel, NeverTakesWhatARequestOfRandomBytesAsksUnlessItIsWhole) {
         EXPECT_FALSE(applied.diagnosis().text().empty());
     }
     for (const ChannelStore& store : values->channels) {
-        EXPECT_EQ(store.offsets[0].geometry[0], 0.0);   // number 0 stays zero
-        for (const OffsetCell& cell : store.offsets) EXPECT_TRUE(std::isfinite(cell.geometry[0]) && std::isfinite(cell.wear[2]));
+        EXPECT_EQ(store.offsets[0].geometry[0], 0.0);  // number 0 stays zero
+        for (const OffsetCell& cell : store.offsets)
+            EXPECT_TRUE(std::isfinite(cell.geometry[0]) && std::isfinite(cell.wear[2]));
         for (const double zero : store.zeros) EXPECT_TRUE(std::isfinite(zero));
     }
 }
 
-// A computer that loses power tears the last writes of the log. Every file that can be left behind opens with the values
-// of some commit, never with half of one: #500 and #501 are always written together and must be equal.
+// A computer that loses power tears the last writes of the log. Every file that can be left behind
+// opens with the values of some commit, never with half of one: #500 and #501 are always written
+// together and must be equal.
 TEST(StoreTorn, OpensWithWholeCommitsOnly) {
     const Folder origin("torn"), copy("torn-copy");
     const MachineConfig machine = derive_machine_config(machine_table());
@@ -162,7 +184,8 @@ TEST(StoreTorn, OpensWithWholeCommitsOnly) {
     for (int i = 1; i <= kCommits; ++i) {
         std::vector<Change> changes;
         for (const char* name : {"#500", "#501"}) {
-            const auto applied = apply_request(variable_request(1, name, i), Origin::Program, machine, *values);
+            const auto applied =
+                apply_request(variable_request(1, name, i), Origin::Program, machine, *values);
             ASSERT_TRUE(applied);
             changes.push_back(applied->changes.at(0));
         }
@@ -182,24 +205,30 @@ TEST(StoreTorn, OpensWithWholeCommitsOnly) {
         fs::copy_file(log, torn);
         const auto cut = i == 0 ? size : random() % (size + 1);
         if (i % 3 == 0) {
-            fs::resize_file(torn, cut);                      // never arrived
+            fs::resize_file(torn, cut);  // never arrived
         } else {
             std::fstream file(torn, std::ios::in | std::ios::out | std::ios::binary);
-            file.seekp(static_cast<std::streamoff>(cut));    // arrived as something else, as a sector or as a bit
-            for (std::uint64_t left = i % 3 == 1 ? std::min<std::uint64_t>(512, size - cut) : (cut < size); left > 0; --left) file.put(static_cast<char>(random()));
+            // arrived as something else, as a sector or as a bit
+            file.seekp(static_cast<std::streamoff>(cut));
+            for (std::uint64_t left = i % 3 == 1 ? std::min<std::uint64_t>(512, size - cut)
+                                                 : (cut < size);
+                 left > 0; --left)
+                file.put(static_cast<char>(random()));
         }
         auto opened = Database::open(copy.path);
         ASSERT_TRUE(opened) << opened.diagnosis().text();
         auto found = fresh_values();
         std::vector<Diagnosis> warnings;
         ASSERT_TRUE(opened->read_into(*found, warnings));
-        const double first = found->channels[0].variables[0], second = found->channels[0].variables[1];
+        const double first = found->channels[0].variables[0],
+                     second = found->channels[0].variables[1];
         ASSERT_TRUE(same(first, second)) << first << " and " << second << ", torn at " << cut;
         const int value = std::isnan(first) ? 0 : static_cast<int>(first);
-        newest = std::max(newest, value), oldest = std::min(oldest, value);
+        newest = std::max(newest, value);
+        oldest = std::min(oldest, value);
     }
-    EXPECT_EQ(newest, kCommits);          // nothing torn: nothing lost
-    EXPECT_LT(oldest, kCommits / 2);      // and the test did tear
+    EXPECT_EQ(newest, kCommits);      // nothing torn: nothing lost
+    EXPECT_LT(oldest, kCommits / 2);  // and the test did tear
 }
 
 TEST(StoreHistory, SaysWhenWhoWhatOldAndNew) {
@@ -208,9 +237,12 @@ TEST(StoreHistory, SaysWhenWhoWhatOldAndNew) {
     auto disk = Database::open(folder.path);
     ASSERT_TRUE(disk);
     auto values = fresh_values();
-    const StoreRequest requests[] = {parameter_request("N0304 A3=12000"), parameter_request("N0003 L1=Top"),
-                                     offset_request(1, 3, OffsetTable::Wear, OffsetField::X, 0.25), variable_request(2, "#512", 1.5),
-                                     variable_request(2, "#512", std::nan("")), work_zero_request(1, 13, 1, -4)};
+    const StoreRequest requests[] = {parameter_request("N0304 A3=12000"),
+                                     parameter_request("N0003 L1=Top"),
+                                     offset_request(1, 3, OffsetTable::Wear, OffsetField::X, 0.25),
+                                     variable_request(2, "#512", 1.5),
+                                     variable_request(2, "#512", std::nan("")),
+                                     work_zero_request(1, 13, 1, -4)};
     for (const StoreRequest& request : requests) {
         const auto applied = apply_request(request, Origin::Operator, machine, *values);
         ASSERT_TRUE(applied);
@@ -218,8 +250,9 @@ TEST(StoreHistory, SaysWhenWhoWhatOldAndNew) {
     }
     const auto lines = disk->history(10);
     ASSERT_TRUE(lines);
-    const char* const kExpected[] = {"L1 G54.1P3 place 2: 0 -> -4", "L2 #512: 1.5 -> empty", "L2 #512: empty -> 1.5", "L1 offset 3 wear X: 0 -> 0.25",
-                                     "N0003 L1: Upper -> Top", "N0304 A3: 20000 -> 12000"};
+    const char* const kExpected[] = {"L1 G54.1P3 place 2: 0 -> -4", "L2 #512: 1.5 -> empty",
+                                     "L2 #512: empty -> 1.5",       "L1 offset 3 wear X: 0 -> 0.25",
+                                     "N0003 L1: Upper -> Top",      "N0304 A3: 20000 -> 12000"};
     ASSERT_EQ(lines->size(), std::size(kExpected));
     for (std::size_t i = 0; i < std::size(kExpected); ++i) {
         const std::string& line = (*lines)[i];

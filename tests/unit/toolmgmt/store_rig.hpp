@@ -1,40 +1,45 @@
-// A real polyturn-toolmgmt process with a supervisor's and a kernel's segment made by the test, which plays both.
+// A real polyturn-toolmgmt process with a supervisor's and a kernel's segment made by the test,
+// which plays both.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <fcntl.h>
-#include <sqlite3.h>
+#include <gtest/gtest.h>
 #include <signal.h>
+#include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "ipc/machine/store_requests.hpp"
+#include "ipc/machine/store/store_requests.hpp"
 #include "ipc/memory/segment.hpp"
 #include "tests/places.hpp"
 
 namespace polyturn::test {
 
-// A store as a version left it that promised nothing: somebody may have worked on its file with other tools.
+// A store as a version left it that promised nothing: somebody may have worked on its file with
+// other tools.
 inline void forget_promises(const std::string& folder) {
-    for (const char* name : {"store.witness", "store.sums"}) std::filesystem::remove(folder + "/" + name);
+    for (const char* name : {"store.witness", "store.sums"})
+        std::filesystem::remove(folder + "/" + name);
     sqlite3* db = nullptr;
-    if (sqlite3_open((folder + "/store.sqlite").c_str(), &db) == SQLITE_OK) sqlite3_exec(db, "UPDATE promise SET commits = 0", nullptr, nullptr, nullptr);
+    if (sqlite3_open((folder + "/store.sqlite").c_str(), &db) == SQLITE_OK)
+        sqlite3_exec(db, "UPDATE promise SET commits = 0", nullptr, nullptr, nullptr);
     sqlite3_close(db);
 }
 
 class StoreRig {
 public:
-    explicit StoreRig(const std::string& name) : instance("test-" + name + "-" + std::to_string(getpid())) {
+    explicit StoreRig(const std::string& name)
+        : instance("test-" + name + "-" + std::to_string(getpid())) {
         remove_instance(instance);
         auto made = OwnSegment<SupervisorSegment>::create(instance, 1);
         if (!made) throw std::runtime_error(made.diagnosis().text());
@@ -53,7 +58,8 @@ public:
 
     // Starts the program; true when it has published. Its messages go to folder/stderr.
     bool start(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {std::string(kProgramFolder) + "/polyturn-toolmgmt", "--instance", instance});
+        arguments.insert(arguments.begin(), {std::string(kProgramFolder) + "/polyturn-toolmgmt",
+                                             "--instance", instance});
         pid = spawn(arguments);
         for (int ms = 0; ms < 10'000; ms += 2) {
             auto peer = PeerSegment<StoreSegment>::attach(instance);
@@ -74,7 +80,7 @@ public:
         supervisor->processes[kProcessKernel].pid = getpid();
     }
 
-    // Sends as the supervisor; its answer, or nothing within `patience_ms` or when the process ends.
+    // Sends as the supervisor; its answer, or nothing within `timeout_ms` or when the process ends.
     std::uint64_t send(StoreRequest request) {
         request.id = ++last_id;
         auto& ring = supervisor->requests;
@@ -91,9 +97,9 @@ public:
         tail.fetch_add(1);
         return answer;
     }
-    std::optional<StoreAnswer> ask(const StoreRequest& request, int patience_ms = 10'000) {
+    std::optional<StoreAnswer> ask(const StoreRequest& request, int timeout_ms = 10'000) {
         const auto id = send(request);
-        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_ms);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeout_ms);
         while (std::chrono::steady_clock::now() < until) {
             if (auto answer = take_answer(); answer && answer->id == id) return answer;
             usleep(50);
@@ -117,8 +123,9 @@ public:
         return head + 1;
     }
     // Waits until the counter has come that far.
-    static bool reached(const std::atomic<std::uint64_t>& counter, std::uint64_t index, int patience_ms = 10'000) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_ms);
+    static bool reached(const std::atomic<std::uint64_t>& counter, std::uint64_t index,
+                        int timeout_ms = 10'000) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeout_ms);
         while (counter.load() < index) {
             if (std::chrono::steady_clock::now() > until) return false;
             usleep(50);
@@ -173,7 +180,8 @@ public:
 private:
     pid_t spawn(const std::vector<std::string>& arguments) const {
         std::vector<char*> argv;
-        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+        for (const std::string& argument : arguments)
+            argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);
         const std::string log = folder + "/stderr";
         const pid_t child = fork();

@@ -1,12 +1,12 @@
-// Tools in the real store process: operations in pieces, T calls, life over kills, backups, schemas.
-#include "store_rig.hpp"
-
+// Tools in the real store process: operations in pieces, T calls, life over kills, backups,
+// schemas.
 #include <sqlite3.h>
 #include <sys/mman.h>
 
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "store_rig.hpp"
 #include "tests/places.hpp"
 #include "tests/seeds.hpp"
 #include "toolmgmt/schema.hpp"
@@ -24,7 +24,9 @@ Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::
     constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
     std::uint64_t last = 0;
     for (std::size_t at = 0; at < text.size(); at += kPiece) {
-        StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < text.size() ? kMoreFollows : 0, 0);
+        StoreRequest request =
+            store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at),
+                          at + kPiece < text.size() ? kMoreFollows : 0, 0);
         request.level = static_cast<std::uint32_t>(level);
         put_name(request, std::string_view(text).substr(at, kPiece));
         last = rig.send(request);
@@ -33,7 +35,10 @@ Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (std::chrono::steady_clock::now() < until) {
         const auto piece = rig.take_answer();
-        if (!piece) { usleep(100); continue; }
+        if (!piece) {
+            usleep(100);
+            continue;
+        }
         if (piece->id != last) continue;
         answer += piece->text.data();
         if (!piece->more) return Json::parse(answer, nullptr, false);
@@ -44,7 +49,9 @@ Json operate(StoreRig& rig, const Json& operation, UserLevel level = UserLevel::
 Json add_tool(StoreRig& rig, const Json& fields, int pot) {
     const Json added = operate(rig, {{"do", "tools.add"}, {"fields", fields}});
     EXPECT_TRUE(added.value("ok", false)) << added.dump();
-    const Json loaded = operate(rig, {{"do", "tools.load"}, {"tool", added.value("tool", 0)}, {"magazine", 1}, {"pot", pot}});
+    const Json loaded = operate(
+        rig,
+        {{"do", "tools.load"}, {"tool", added.value("tool", 0)}, {"magazine", 1}, {"pot", pot}});
     EXPECT_TRUE(loaded.value("ok", false)) << loaded.dump();
     return added;
 }
@@ -58,9 +65,10 @@ std::unique_ptr<ToolTable> tools_of(StoreRig& rig) {
 TEST(ToolOperations, AreAnsweredInPiecesAndShownInTheImage) {
     StoreRig rig("tools");
     ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine})) << rig.messages();
-    for (int n = 1; n <= 12; ++n) add_tool(rig, {{"name", "TOOL_" + std::to_string(n)}, {"type", n}}, n);
+    for (int n = 1; n <= 12; ++n)
+        add_tool(rig, {{"name", "TOOL_" + std::to_string(n)}, {"type", n}}, n);
     const Json list = operate(rig, {{"do", "tools.list"}});
-    ASSERT_EQ(list["tools"].size(), 12u);   // some thousand characters: many answers
+    ASSERT_EQ(list["tools"].size(), 12u);  // some thousand characters: many answers
     EXPECT_EQ(list["tools"][11]["place"], "magazine 1 pot 12");
     const auto tools = tools_of(rig);
     EXPECT_STREQ(tools->rows[4].name.data(), "TOOL_5");
@@ -76,8 +84,17 @@ TEST(ToolOperations, AreAnsweredInPiecesAndShownInTheImage) {
 TEST(ToolCalls, AreAnsweredBeforeTheirQuestionIsPassed) {
     StoreRig rig("calls");
     rig.make_kernel();
-    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine, "--set", "N2900=00000001"})) << rig.messages();
-    add_tool(rig, {{"name", "A"}, {"type", 7}, {"h", 3}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 12.5}, {"warning", 5}}, 4);
+    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine, "--set", "N2900=00000001"}))
+        << rig.messages();
+    add_tool(rig,
+             {{"name", "A"},
+              {"type", 7},
+              {"h", 3},
+              {"life_kind", "minutes"},
+              {"life", 60},
+              {"counter", 12.5},
+              {"warning", 5}},
+             4);
     StoreRequest call{};
     call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall);
     call.channel = 1;
@@ -95,19 +112,28 @@ TEST(ToolCalls, AreAnsweredBeforeTheirQuestionIsPassed) {
     (*rig.kernel)->tool_tail.tail.store(1);
     call.value = 8;
     ASSERT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, rig.push(call)));
-    EXPECT_EQ((*rig.store)->tool_answers.slot(1).alarm, static_cast<std::int32_t>(Alarm::ToolNotFound));
+    EXPECT_EQ((*rig.store)->tool_answers.slot(1).alarm,
+              static_cast<std::int32_t>(Alarm::ToolNotFound));
     EXPECT_EQ(rig.stop(), 0);
 }
 
-// A disk that is full stops tool changes, and says why; when it takes values again tools can be called again.
+// A disk that is full stops tool changes, and says why; when it takes values again tools can be
+// called again.
 TEST(ToolCalls, AreRefusedWhileTheDiskRefuses) {
     StoreRig rig("full-tools");
     rig.make_kernel();
-    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001"})) << rig.messages();
+    ASSERT_TRUE(rig.start(
+        {"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001"}))
+        << rig.messages();
     add_tool(rig, {{"name", "A"}, {"type", 7}, {"life_kind", "pieces"}, {"life", 1e6}}, 4);
     StoreRequest call{}, use{};
-    call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall), call.channel = 1, call.value = 7;
-    use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife), use.number = 1, use.field = static_cast<std::int32_t>(LifeKind::Pieces), use.value = 1;
+    call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall);
+    call.channel = 1;
+    call.value = 7;
+    use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
+    use.number = 1;
+    use.field = static_cast<std::int32_t>(LifeKind::Pieces);
+    use.value = 1;
     const auto answer = [&] {
         EXPECT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, rig.push(call)));
         const auto head = (*rig.store)->tool_answers.head.load();
@@ -115,7 +141,7 @@ TEST(ToolCalls, AreRefusedWhileTheDiskRefuses) {
         return (*rig.store)->tool_answers.slot(head - 1);
     };
     EXPECT_EQ(answer().alarm, -1);
-    const rlimit full{4096, RLIM_INFINITY};   // no file grows any more
+    const rlimit full{4096, RLIM_INFINITY};  // no file grows any more
     ASSERT_EQ(prlimit(rig.pid, RLIMIT_FSIZE, &full, nullptr), 0);
     int alarm = -1;
     for (int ms = 0; ms < 8000 && alarm == -1; ms += 50) {
@@ -127,21 +153,28 @@ TEST(ToolCalls, AreRefusedWhileTheDiskRefuses) {
     EXPECT_NE(rig.messages().find("PT0403"), std::string::npos);
     const rlimit free{RLIM_INFINITY, RLIM_INFINITY};
     ASSERT_EQ(prlimit(rig.pid, RLIMIT_FSIZE, &free, nullptr), 0);
-    for (int ms = 0; ms < 8000 && alarm != -1; ms += 100) usleep(100'000), alarm = answer().alarm;
+    for (int ms = 0; ms < 8000 && alarm != -1; ms += 100) {
+        usleep(100'000);
+        alarm = answer().alarm;
+    }
     EXPECT_EQ(alarm, -1);
     EXPECT_EQ(rig.stop(), 0);
 }
 
-// Killed at random moments while life is counted: what counts at the end is exactly what was sent, never more.
+// Killed at random moments while life is counted: what counts at the end is exactly what was sent,
+// never more.
 TEST(ToolLife, IsCountedOnceWhateverIsKilled) {
     StoreRig rig("life");
     rig.make_kernel();
-    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine",
+                                                kMachine};
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     add_tool(rig, {{"type", 1}, {"life_kind", "pieces"}, {"life", 100000}}, 1);
     StoreRequest use{};
     use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
-    use.number = 1, use.field = static_cast<std::int32_t>(LifeKind::Pieces), use.value = 1;
+    use.number = 1;
+    use.field = static_cast<std::int32_t>(LifeKind::Pieces);
+    use.value = 1;
     std::mt19937 random(test_seed(7));
     double sent = 0;
     std::uint64_t index = 0;
@@ -162,16 +195,20 @@ TEST(ToolLife, IsCountedOnceWhateverIsKilled) {
     EXPECT_EQ(rig.stop(), 0);
 }
 
-// Killed behind the commit and before it could say so: the successor finds all on the disk, and says it although nothing more comes.
+// Killed behind the commit and before it could say so: the successor finds all on the disk, and
+// says it although nothing more comes.
 TEST(ToolLife, IsSaidToBeOnDiskByASuccessorThatHasNothingToWrite) {
     StoreRig rig("said");
     rig.make_kernel();
-    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine",
+                                                kMachine};
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     add_tool(rig, {{"type", 1}, {"life_kind", "pieces"}, {"life", 100000}}, 1);
     StoreRequest use{};
     use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
-    use.number = 1, use.field = static_cast<std::int32_t>(LifeKind::Pieces), use.value = 1;
+    use.number = 1;
+    use.field = static_cast<std::int32_t>(LifeKind::Pieces);
+    use.value = 1;
     const std::uint64_t index = rig.push(use);
     ASSERT_TRUE(StoreRig::reached((*rig.store)->on_disk, index));
     rig.kill_now();
@@ -179,14 +216,16 @@ TEST(ToolLife, IsSaidToBeOnDiskByASuccessorThatHasNothingToWrite) {
         const std::string name = "/dev/shm/polyturn." + rig.instance + ".store";
         const int file = ::open(name.c_str(), O_RDWR | O_CLOEXEC);
         ASSERT_GE(file, 0) << name;
-        void* const memory = ::mmap(nullptr, sizeof(StoreSegment), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        void* const memory =
+            ::mmap(nullptr, sizeof(StoreSegment), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         ::close(file);
         ASSERT_NE(memory, MAP_FAILED);
         static_cast<StoreSegment*>(memory)->on_disk.store(index - 1);
         ::munmap(memory, sizeof(StoreSegment));
     }
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
-    EXPECT_TRUE(StoreRig::reached((*rig.store)->on_disk, index)) << (*rig.store)->on_disk.load() << " of " << index;
+    EXPECT_TRUE(StoreRig::reached((*rig.store)->on_disk, index))
+        << (*rig.store)->on_disk.load() << " of " << index;
     EXPECT_EQ(tools_of(rig)->rows[0].counter, 1);
     EXPECT_EQ(rig.stop(), 0);
 }
@@ -216,10 +255,14 @@ TEST(Backups, BringEverythingBackAndShowBeforeWhatWouldChange) {
     EXPECT_EQ(tools->rows[0].pot, 3);
     const Json again = operate(rig, {{"do", "restore.from"}, {"file", file}, {"preview", true}});
     EXPECT_EQ(again["total"], 0) << again.dump();
-    EXPECT_FALSE(operate(rig, {{"do", "restore.from"}, {"file", kMachine + "/machine.params"}}).value("ok", true));
+    EXPECT_FALSE(operate(rig, {{"do", "restore.from"}, {"file", kMachine + "/machine.params"}})
+                     .value("ok", true));
     EXPECT_EQ(rig.stop(), 0);
     // A damaged file: there is no production, the reason is said, and the backup takes its place.
-    { std::fstream out(store + "/store.sqlite", std::ios::in | std::ios::out | std::ios::binary); out << std::string(8192, 'x'); }
+    {
+        std::fstream out(store + "/store.sqlite", std::ios::in | std::ios::out | std::ios::binary);
+        out << std::string(8192, 'x');
+    }
     ASSERT_TRUE(rig.start({"--store", store, "--machine", kMachine})) << rig.messages();
     EXPECT_EQ(rig.stop(), 0);
     EXPECT_NE(rig.messages().find("PT0401"), std::string::npos) << rig.messages();
@@ -240,18 +283,22 @@ void run_sql(const std::string& file, const char* sql) {
 
 TEST(Schema, OfAnOlderVersionIsBroughtUpToDateWithItsData) {
     StoreRig rig("upgrade");
-    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine",
+                                                kMachine};
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     ASSERT_EQ(rig.ask(offset_request(1, 3, OffsetTable::Wear, OffsetField::X, 0.02))->ok, 1u);
     EXPECT_EQ(rig.stop(), 0);
     const std::string file = rig.folder + "/store/store.sqlite";
     polyturn::test::forget_promises(rig.folder + "/store");
-    run_sql(file, "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations WHERE version > 1; PRAGMA user_version=1");
+    run_sql(
+        file,
+        "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations WHERE version > 1; PRAGMA user_version=1");
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     EXPECT_EQ(rig.channel(1)->offsets[3].wear[0], 0.02);
     add_tool(rig, {{"type", 3}}, 3);
     EXPECT_EQ(rig.stop(), 0);
-    run_sql(file, "PRAGMA user_version=99");   // as a later version leaves it: refused, with the reason
+    // as a later version leaves it: refused, with the reason
+    run_sql(file, "PRAGMA user_version=99");
     EXPECT_FALSE(rig.start(arguments));
     EXPECT_EQ(rig.wait_end(), 1);
     EXPECT_NE(rig.messages().find("schema 99"), std::string::npos) << rig.messages();

@@ -1,4 +1,5 @@
-// Each move tells what compensation has added to its programmed end, for screens that show programmed positions (F3104 DAC).
+// Each move tells what compensation has added to its programmed end, for screens that show
+// programmed positions (F3104 DAC).
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -25,7 +26,8 @@ protected:
         Move m;
         m.kind = MoveKind::Linear;
         m.machine_start = m.pos = here;
-        here[0] = p, here[1] = q;
+        here[0] = p;
+        here[1] = q;
         m.machine = m.pos = here;
         m.moved = 3;
         send(m);
@@ -47,7 +49,7 @@ protected:
     Recorder out;
     Compensator nose;
     Vec tip;
-    AxisValues here{-10, 5};   // where the tool stands
+    AxisValues here{-10, 5};  // where the tool stands
 };
 
 //                     (20,20)        left of the contour, radius 1:
@@ -72,16 +74,17 @@ TEST_F(NoseVector, IsWhatStandsBetweenTheProgrammedEndAndTheNose) {
     }
 }
 
-// Around an outer corner every piece tells its own: the corner itself is the programmed point of the pieces between.
+// Around an outer corner every piece tells its own: the corner itself is the programmed point of
+// the pieces between.
 TEST_F(NoseVector, OfAPieceAroundACornerCountsFromTheCorner) {
-    nose.select(-1);   // right of the path: the corner at (20,0) is outer
+    nose.select(-1);  // right of the path: the corner at (20,0) is outer
     to(0, 0);
     to(20, 0);
-    to(0, 10);         // turns by more than 90 degrees: both lines are lengthened by the radius
+    to(0, 10);  // turns by more than 90 degrees: both lines are lengthened by the radius
     nose.cancel();
     to(0, 40);
     ASSERT_EQ(out.moves.size(), 5u);
-    EXPECT_NEAR(out.moves[1].nose[0], 1, 1e-12);   // 20 + 1, 0 - 1
+    EXPECT_NEAR(out.moves[1].nose[0], 1, 1e-12);  // 20 + 1, 0 - 1
     EXPECT_NEAR(out.moves[1].nose[1], -1, 1e-12);
     for (std::size_t i = 0; i < 5; ++i) {
         const Move& m = out.moves[i];
@@ -93,9 +96,10 @@ TEST_F(NoseVector, OfAPieceAroundACornerCountsFromTheCorner) {
     }
 }
 
-// With an imaginary tip the tip's way to the centre is a part of it (fanuc_lathe 2.1: programmed end + V + r*e).
+// With an imaginary tip the tip's way to the centre is a part of it (fanuc_lathe 2.1: programmed
+// end + V + r*e).
 TEST_F(NoseVector, ContainsTheWayFromTheCentreToTheTip) {
-    tip = {-1, -1};   // tip 3, radius 1
+    tip = {-1, -1};  // tip 3, radius 1
     nose.select(-1);
     to(-5, 0);
     to(20, 0);
@@ -103,7 +107,7 @@ TEST_F(NoseVector, ContainsTheWayFromTheCentreToTheTip) {
     to(40, 40);
     ASSERT_EQ(out.moves.size(), 3u);
     EXPECT_NEAR(out.moves[0].nose[0], -1, 1e-12);
-    EXPECT_NEAR(out.moves[0].nose[1], -2, 1e-12);   // right normal (0,-1) and the tip
+    EXPECT_NEAR(out.moves[0].nose[1], -2, 1e-12);  // right normal (0,-1) and the tip
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-// Elements that are too short for an inner corner (sinumerik_part2 11.4.2, 11.5): hollows of many short lines, in which the nose
-// does not fit, are passed without touching any of them.
+// Elements that are too short for an inner corner (sinumerik_part2 11.4.2, 11.5): hollows of many
+// short lines, in which the nose does not fit, are passed without touching any of them.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "channels/compensation/compensator.hpp"
 #include "tests/seeds.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 struct Recorder final : testing::QuietSink {
     std::vector<Move> moves;
-    std::vector<std::pair<Vec, double>> functions;   // where the nose stood
+    std::vector<std::pair<Vec, double>> functions;  // where the nose stood
     void move(const Move& m, const BlockContext&) override { moves.push_back(m); }
     void aux(const Aux& a, const BlockContext&) override {
         const Move& m = moves.back();
@@ -26,13 +26,15 @@ struct Recorder final : testing::QuietSink {
 };
 
 struct Driven {
-    std::vector<Vec> points;   // of the nose's centre
+    std::vector<Vec> points;  // of the nose's centre
     std::vector<std::pair<Vec, double>> functions;
     bool failed = false;
 };
 
-// From `start` to the first point compensated on the left, along all points, and out to `end`. A function stands behind each block.
-Driven drive(Vec start, const std::vector<Vec>& contour, Vec end, double radius, const Options& options) {
+// From `start` to the first point compensated on the left, along all points, and out to `end`. A
+// function stands behind each block.
+Driven drive(Vec start, const std::vector<Vec>& contour, Vec end, double radius,
+             const Options& options) {
     Recorder out;
     Compensator nose;
     nose.open(out, 0, 1, options);
@@ -41,8 +43,10 @@ Driven drive(Vec start, const std::vector<Vec>& contour, Vec end, double radius,
     const auto to = [&](Vec there) {
         Move m;
         m.kind = MoveKind::Linear;
-        m.machine_start[0] = here.p, m.machine_start[1] = here.q;
-        m.machine[0] = there.p, m.machine[1] = there.q;
+        m.machine_start[0] = here.p;
+        m.machine_start[1] = here.q;
+        m.machine[0] = there.p;
+        m.machine[1] = there.q;
         m.moved = 3;
         nose.nose(radius, {}, true);
         nose.move(m, {});
@@ -61,7 +65,8 @@ Driven drive(Vec start, const std::vector<Vec>& contour, Vec end, double radius,
     driven.functions = out.functions;
     for (const Move& m : out.moves) {
         EXPECT_EQ(m.kind, MoveKind::Linear);
-        if (driven.points.empty()) driven.points.push_back({m.machine_start[0], m.machine_start[1]});
+        if (driven.points.empty())
+            driven.points.push_back({m.machine_start[0], m.machine_start[1]});
         EXPECT_NEAR(m.machine_start[0], driven.points.back().p, 1e-9);
         EXPECT_NEAR(m.machine_start[1], driven.points.back().q, 1e-9);
         driven.points.push_back({m.machine[0], m.machine[1]});
@@ -104,18 +109,22 @@ TEST(ShortElements, AHollowOfShortLinesIsNotCutInto) {
         const double w = angle * std::numbers::pi / 180;
         contour.push_back(contour.back() + Vec{80 * std::cos(w), 80 * std::sin(w)});
         const double radius = nose(random);
-        const Driven driven = drive({-10, 20}, contour, contour.back() + Vec{-20, 5}, radius, options_of(ShortLast::Line));
+        const Driven driven = drive({-10, 20}, contour, contour.back() + Vec{-20, 5}, radius,
+                                    options_of(ShortLast::Line));
         ASSERT_FALSE(driven.failed) << round;
-        ASSERT_EQ(driven.functions.size(), contour.size() + 1) << round;   // none is lost
+        ASSERT_EQ(driven.functions.size(), contour.size() + 1) << round;  // none is lost
         left_out += driven.points.size() < contour.size() + 2;
-        for (std::size_t i = 2; i + 1 < driven.points.size(); ++i)   // without the ways in and out
+        for (std::size_t i = 2; i + 1 < driven.points.size(); ++i)  // without the ways in and out
             for (int k = 0; k <= 20; ++k) {
-                const Vec p = driven.points[i - 1] + (k / 20.0) * (driven.points[i] - driven.points[i - 1]);
-                for (std::size_t e = 1; e < contour.size(); ++e) ASSERT_GE(distance(p, contour[e - 1], contour[e]), radius - 1e-6) << round;
+                const Vec p =
+                    driven.points[i - 1] + (k / 20.0) * (driven.points[i] - driven.points[i - 1]);
+                for (std::size_t e = 1; e < contour.size(); ++e)
+                    ASSERT_GE(distance(p, contour[e - 1], contour[e]), radius - 1e-6) << round;
             }
-        for (std::size_t i = 1; i < driven.functions.size(); ++i) EXPECT_EQ(driven.functions[i].second, driven.functions[i - 1].second + 1);
+        for (std::size_t i = 1; i < driven.functions.size(); ++i)
+            EXPECT_EQ(driven.functions[i].second, driven.functions[i - 1].second + 1);
     }
-    EXPECT_GT(left_out, 1000);   // the draw has what it is about
+    EXPECT_GT(left_out, 1000);  // the draw has what it is about
 }
 
 // sinumerik_part2 11.5: of three blocks that are known one can be left out.
@@ -129,15 +138,19 @@ TEST(ShortElements, NotMoreThanTheOptionsSayAreLeftOut) {
 
 struct LastRow {
     ShortLast how;
-    double leaves_at;   // on the line of the nose's centre, 5 beside the contour's long line
+    double leaves_at;  // on the line of the nose's centre, 5 beside the contour's long line
 };
-// The way out from the square point (35, 2) of the last line to (20, 20) crosses the line q = 5 at p = 32.5; the circle of 5
-// about (40, 2) at 36; the last line's equidistant at 35. All lines but the first are shorter than the nose needs.
-constexpr LastRow kLast[] = {{ShortLast::WayOut, 32.5}, {ShortLast::Circle, 36.0}, {ShortLast::Line, 35.0}};
+// The way out from the square point (35, 2) of the last line to (20, 20) crosses the line q = 5 at
+// p = 32.5; the circle of 5 about (40, 2) at 36; the last line's equidistant at 35. All lines but
+// the first are shorter than the nose needs.
+constexpr LastRow kLast[] = {
+    {ShortLast::TravelOut, 32.5}, {ShortLast::Circle, 36.0}, {ShortLast::Line, 35.0}};
 
 TEST(ShortElements, TheLastOnesAreLeftOutAsTheOptionsSay) {
     for (const LastRow& row : kLast)
-        for (const std::vector<Vec>& last : {std::vector<Vec>{{40, 2}}, std::vector<Vec>{{40, 1}, {40, 2}}, std::vector<Vec>{{40, 0.5}, {40, 1.2}, {40, 2}}}) {
+        for (const std::vector<Vec>& last :
+             {std::vector<Vec>{{40, 2}}, std::vector<Vec>{{40, 1}, {40, 2}},
+              std::vector<Vec>{{40, 0.5}, {40, 1.2}, {40, 2}}}) {
             std::vector<Vec> contour{{0, 0}, {40, 0}};
             contour.insert(contour.end(), last.begin(), last.end());
             const Driven out = drive({-10, 0}, contour, {20, 20}, 5, options_of(row.how));
@@ -157,7 +170,8 @@ TEST(ShortElements, TheLastOnesAreLeftOutAsTheOptionsSay) {
 }
 
 TEST(ShortElements, WhereNothingMeetsTheLastOneIsAnAlarm) {
-    const Driven out = drive({-10, 0}, {{0, 0}, {2, 0}, {2, 2}}, {-20, 20}, 5, options_of(ShortLast::Circle));
+    const Driven out =
+        drive({-10, 0}, {{0, 0}, {2, 0}, {2, 2}}, {-20, 20}, 5, options_of(ShortLast::Circle));
     EXPECT_TRUE(out.failed);
 }
 

@@ -1,4 +1,5 @@
-// Chamfers and roundings in the stream of moves: order, feeds, compensation behind them, what ends a held move.
+// Chamfers and roundings in the stream of moves: order, feeds, compensation behind them, what ends
+// a held move.
 #include <gtest/gtest.h>
 
 #include "../state/core_rig.hpp"
@@ -6,15 +7,20 @@
 namespace polyturn::channels {
 namespace {
 
+using corners::Shape;
 using testing::CoreRig;
 using testing::Kept;
-using corners::Shape;
 
 struct CornerRig : CoreRig {
     using CoreRig::CoreRig;
-    bool corner(Shape shape, double size, bool from_next = false, double feed = 0, bool reduce = false) {
+    bool corner(Shape shape, double size, bool from_next = false, double feed = 0,
+                bool reduce = false) {
         corners::Call call;
-        call.shape = shape, call.size = size, call.from_next = from_next, call.feed = feed, call.reduce = reduce;
+        call.shape = shape;
+        call.size = size;
+        call.from_next = from_next;
+        call.feed = feed;
+        call.reduce = reduce;
         return core->corner(call);
     }
     bool end(bool program_ends = false) {
@@ -43,7 +49,7 @@ TEST(CornerStage, ChamferThenRoundingOnOneMove) {
     ASSERT_TRUE(rig.line(20, -40) && rig.end());
     rig.expect_moves({{10, 5}, {10, -18.5}, {11.5, -20}, {18, -20}, {20, -22}, {20, -40}});
     const Move arc = rig.sink.moves()[4].move;
-    EXPECT_EQ(arc.kind, MoveKind::ArcCcw);    // on a lathe, seen against Y: from +X to -Z
+    EXPECT_EQ(arc.kind, MoveKind::ArcCcw);  // on a lathe, seen against Y: from +X to -Z
     EXPECT_NEAR(arc.radius, 2, 1e-9);
     EXPECT_EQ(arc.feed, 30);
     EXPECT_EQ(rig.sink.moves()[5].move.feed, 100);
@@ -95,7 +101,7 @@ TEST(CornerStage, TooLargeMayBeMadeSmaller) {
     ASSERT_TRUE(rig.corner(Shape::Rounding, 9, false, 0, true) && rig.line(0, -8) && rig.end());
     ASSERT_TRUE(rig.line(20, -8) && rig.end());
     const auto moves = rig.sink.moves();
-    ASSERT_EQ(moves.size(), 2u);       // nothing is left of the first block
+    ASSERT_EQ(moves.size(), 2u);  // nothing is left of the first block
     EXPECT_NEAR(moves[0].move.radius, 8, 1e-5);
 }
 
@@ -104,7 +110,8 @@ TEST(CornerStage, LineAndArc) {
     ASSERT_TRUE(rig.line(10, 0) && rig.end());
     ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 2) && rig.line(10, -20) && rig.end());
     ASSERT_TRUE(rig.arc(20, -30, 10, -30, false) && rig.end());
-    rig.expect_moves({{10, 0}, {10, -18}, {10 + 10 * std::sin(0.2), -30 + 10 * std::cos(0.2)}, {20, -30}});
+    rig.expect_moves(
+        {{10, 0}, {10, -18}, {10 + 10 * std::sin(0.2), -30 + 10 * std::cos(0.2)}, {20, -30}});
     EXPECT_NEAR(rig.sink.moves()[3].move.sweep, std::acos(0.0) - 0.2, 1e-9);
 }
 
@@ -150,7 +157,8 @@ TEST(CornerStage, AReservedMoveStandsBeforeWhatCameMeanwhile) {
     EXPECT_FALSE(rig.core->reads_ahead());
 }
 
-// Without compensation too: what comes behind a program stop waits for it, and reading goes on behind it.
+// Without compensation too: what comes behind a program stop waits for it, and reading goes on
+// behind it.
 TEST(CornerStage, AStopBehindAHeldMoveHaltsTheReading) {
     CornerRig rig;
     ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 1) && rig.line(0, -20) && rig.end());
@@ -161,14 +169,16 @@ TEST(CornerStage, AStopBehindAHeldMoveHaltsTheReading) {
     ASSERT_TRUE(rig.line(20, -20) && rig.end());
     EXPECT_TRUE(rig.core->reads_ahead() && rig.core->halted());
     rig.expect_moves({{0, -19}, {1, -20}});
-    EXPECT_FALSE(rig.core->barrier_passed());   // the program has been read on: Core stands behind what follows the stop
+    // the program has been read on: Core stands behind what follows the stop
+    EXPECT_FALSE(rig.core->barrier_passed());
     rig.expect_moves({{0, -19}, {1, -20}, {20, -20}});
     ASSERT_TRUE(rig.line(30, -20) && rig.end());
     EXPECT_FALSE(rig.core->reads_ahead());
     EXPECT_EQ(rig.sink.moves().size(), 4u);
 }
 
-// The way out of compensation is read before the stop in front of it is reached: Core stands behind it then, not at the stop.
+// The way out of compensation is read before the stop in front of it is reached: Core stands behind
+// it then, not at the stop.
 TEST(CornerStage, AStopBeforeTheWayOutLeavesCoreBehindTheWayOut) {
     CornerRig rig;
     rig.core->path.tool.nose_radius = 1.0;
@@ -184,7 +194,8 @@ TEST(CornerStage, AStopBeforeTheWayOutLeavesCoreBehindTheWayOut) {
     EXPECT_EQ(rig.sink.moves().back().move.machine[rig.x], 30);
 }
 
-// A move that waits for its element when another one is reserved goes on in front of it, joined to it.
+// A move that waits for its element when another one is reserved goes on in front of it, joined to
+// it.
 TEST(CornerStage, AReservedMoveIsTheNextOneOfAHeldMove) {
     CornerRig rig;
     ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 1) && rig.line(0, -20) && rig.end());

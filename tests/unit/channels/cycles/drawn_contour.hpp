@@ -18,7 +18,7 @@ public:
         contour_.elements.push_back(e);
         return *this;
     }
-    Drawn& arc(Point to, Point centre, bool clockwise) {   // up to half a circle
+    Drawn& arc(Point to, Point centre, bool clockwise) {  // up to half a circle
         Element e;
         e.form = clockwise ? Element::Form::ArcCw : Element::Form::ArcCcw;
         e.from = contour_.end();
@@ -48,7 +48,9 @@ inline std::string shown(const Contour& contour) {
     if (contour.elements.empty()) return "nothing";
     std::string all = number(contour.first.z) + "," + number(contour.first.x);
     for (const Element& e : contour.elements) {
-        all += e.form == Element::Form::Line ? " " : e.form == Element::Form::ArcCw ? " cw" + number(e.radius) + ":" : " ccw" + number(e.radius) + ":";
+        all += e.form == Element::Form::Line    ? " "
+               : e.form == Element::Form::ArcCw ? " cw" + number(e.radius) + ":"
+                                                : " ccw" + number(e.radius) + ":";
         all += number(e.to.z) + "," + number(e.to.x);
     }
     return all;

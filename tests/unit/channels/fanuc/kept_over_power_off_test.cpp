@@ -1,8 +1,9 @@
-// What fanuc programs leave on the disk: registered B programs (fanuc_lathe 10.4.6) and names of variables.
+// What fanuc programs leave on the disk: registered B programs (fanuc_lathe 10.4.6) and names of
+// variables.
 #include <gtest/gtest.h>
 
-#include "channels/fanuc/b_memory.hpp"
-#include "channels/fanuc/variable_names.hpp"
+#include "channels/fanuc/macro/variable_names.hpp"
+#include "channels/fanuc/motion/b_memory.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
@@ -10,11 +11,22 @@ namespace {
 BProgramTexts some() {
     BProgramTexts programs;
     BStep line;
-    line.motion = 2, line.absolute = line.has_b = true, line.b = 40.1, line.feed = 200, line.feed_turn = 0.02;
+    line.motion = 2;
+    line.absolute = line.has_b = true;
+    line.b = 40.1;
+    line.feed = 200;
+    line.feed_turn = 0.02;
     BStep code;
-    code.letter = 'M', code.code = 55;
+    code.letter = 'M';
+    code.code = 55;
     BStep hole;
-    hole.drilling = 830, hole.has_b = hole.has_r = hole.has_p = true, hole.b = -20, hole.r = -2, hole.q = 5, hole.p = 0.5, hole.feed_mode = 2;
+    hole.drilling = 830;
+    hole.has_b = hole.has_r = hole.has_p = true;
+    hole.b = -20;
+    hole.r = -2;
+    hole.q = 5;
+    hole.p = 0.5;
+    hole.feed_mode = 2;
     programs[0] = {line, code};
     programs[2] = {hole};
     return programs;
@@ -36,9 +48,11 @@ TEST(BMemory, GivesBackWhatItWasGiven) {
 
 TEST(BMemory, ATextThatIsNotWholeIsNone) {
     const std::string whole = b_text(some());
-    for (std::size_t length = 0; length < whole.size(); ++length) EXPECT_FALSE(b_programs(whole.substr(0, length)).has_value()) << length;
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        EXPECT_FALSE(b_programs(whole.substr(0, length)).has_value()) << length;
     EXPECT_FALSE(b_programs(whole + " ").has_value());
-    for (std::size_t at = 0; at < whole.size(); ++at) {   // spoilt anywhere: another value or nothing, never a crash
+    // spoilt anywhere: another value or nothing, never a crash
+    for (std::size_t at = 0; at < whole.size(); ++at) {
         std::string spoilt = whole;
         spoilt[at] = '~';
         EXPECT_FALSE(b_programs(spoilt).has_value()) << at;
@@ -59,7 +73,9 @@ TEST(VariableNames, ANameBelongsToOneVariable) {
     ASSERT_TRUE(back.take(names.text()));
     EXPECT_EQ(back.find("other"), 510);
     EXPECT_EQ(back.text(), names.text());
-    for (const char* bad : {"510", "510 A", "510  A\n", "510 1A\n", "A\n", "510 LONGERNAME\n", "510 A-B\n"}) EXPECT_FALSE(back.take(bad)) << bad;
+    for (const char* bad :
+         {"510", "510 A", "510  A\n", "510 1A\n", "A\n", "510 LONGERNAME\n", "510 A-B\n"})
+        EXPECT_FALSE(back.take(bad)) << bad;
     EXPECT_EQ(back.find("other"), 510) << "nothing was taken";
 }
 

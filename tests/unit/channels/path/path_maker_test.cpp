@@ -26,9 +26,13 @@ void expect_smooth(const std::vector<PathRecord>& records) {
             const AxisState end = axis_state(a, a.length, axis), begin = axis_state(b, 0, axis);
             ASSERT_NEAR(end.p, begin.p, 1e-9) << "record " << n;
             if (a.flags & kExactStop) continue;
-            ASSERT_NEAR(end.t, begin.t, 2e-6) << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length " << a.length << " " << b.length;
+            ASSERT_NEAR(end.t, begin.t, 2e-6)
+                << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length "
+                << a.length << " " << b.length;
             const double scale = std::max({1.0, std::abs(end.k), std::abs(begin.k)});
-            ASSERT_NEAR(end.k / scale, begin.k / scale, 1e-5) << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length " << a.length << " " << b.length;
+            ASSERT_NEAR(end.k / scale, begin.k / scale, 1e-5)
+                << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length "
+                << a.length << " " << b.length;
         }
     }
 }
@@ -39,7 +43,9 @@ double to_segment(Point p, Point a, Point b) {
     return std::hypot(p.x - a.x - f * dx, p.z - a.z - f * dz);
 }
 
-Point point(const PathRecord& r, double s) { return {axis_state(r, s, 0).p, axis_state(r, s, 1).p}; }
+Point point(const PathRecord& r, double s) {
+    return {axis_state(r, s, 0).p, axis_state(r, s, 1).p};
+}
 
 TEST(PathMaker, ASingleLineIsOneRecordThatStops) {
     const auto records = made(easy_limits(), [](Program& p) { p.line({3, 4}); });
@@ -52,12 +58,18 @@ TEST(PathMaker, ASingleLineIsOneRecordThatStops) {
 }
 
 TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
-    const auto records = made(easy_limits(), [](Program& p) { p.feed = 1, p.line({10, 0}), p.line({10, 10}); });
+    const auto records = made(easy_limits(), [](Program& p) {
+        p.feed = 1;
+        p.line({10, 0});
+        p.line({10, 10});
+    });
     ASSERT_GE(records.size(), 4u);
     expect_smooth(records);
     double nearest = 1;
     for (const auto& r : records)
-        for (double f = 0; f <= 1; f += 0.05) nearest = std::min(nearest, std::hypot(point(r, f * r.length).x - 10, point(r, f * r.length).z));
+        for (double f = 0; f <= 1; f += 0.05)
+            nearest = std::min(nearest,
+                               std::hypot(point(r, f * r.length).x - 10, point(r, f * r.length).z));
     EXPECT_LE(nearest, 0.005);
     EXPECT_GT(nearest, 0.0045) << "the tolerance is used";
     // The first half ends block 1, the second begins block 2.
@@ -71,7 +83,14 @@ TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
 }
 
 TEST(PathMaker, StopsWhereItMust) {
-    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; double feed = 1, square = 400; };
+    struct Row {
+        const char* why;
+        double turn;
+        std::uint32_t first, second;
+        double tolerance;
+        bool stop;
+        double feed = 1, square = 400;
+    };
     const Row rows[] = {
         {"corner", 90, 0, 0, 0.1, false},
         {"exact stop asked for", 90, kExactStop, 0, 0.005, true},
@@ -88,9 +107,11 @@ TEST(PathMaker, StopsWhereItMust) {
         {"rapid behind", 90, 0, kRapid, 0.005, true},
         {"thread begins", 0, 0, kThread, 0.005, true},
         {"threads in a row", 10, kThread, kThread | kThreadChained, 0.005, false},
-        {"threads in a row at any angle", 150, kThread, kThread | kThreadChained, 0.005, false, 100},
+        {"threads in a row at any angle", 150, kThread, kThread | kThreadChained, 0.005, false,
+         100},
         {"threads in a row, tolerance 0", 10, kThread, kThread | kThreadChained, 0, false},
-        {"threads in a row, exact stop asked for", 10, kThread | kExactStop, kThread | kThreadChained, 0.005, true},
+        {"threads in a row, exact stop asked for", 10, kThread | kExactStop,
+         kThread | kThreadChained, 0.005, true},
         {"threads in a row, a reversal", 170, kThread, kThread | kThreadChained, 0.005, true},
     };
     for (const Row& row : rows) {
@@ -112,7 +133,8 @@ TEST(PathMaker, StopsWhereItMust) {
 }
 
 // Threads of 40 mm lead 2 that turn by `angle` degrees, at `turns` revolutions a second.
-std::vector<PathRecord> joined_threads(const PathLimits& limits, double angle, double turns, std::uint32_t first_flags = 0) {
+std::vector<PathRecord> joined_threads(const PathLimits& limits, double angle, double turns,
+                                       std::uint32_t first_flags = 0) {
     const double turn = angle * std::numbers::pi / 180;
     return made(limits, [&](Program& p) {
         const auto thread = [&](Point to, std::uint32_t flags) {
@@ -131,10 +153,14 @@ std::vector<PathRecord> joined_threads(const PathLimits& limits, double angle, d
     });
 }
 
-// fagor_8037t part 1, 6.11: the spindle leads, so the corner is rounded as far as its speed asks for; what the bend leaves is there to start with.
+// fagor_8037t part 1, 6.11: the spindle leads, so the corner is rounded as far as its speed asks
+// for; what the bend leaves is there to start with.
 TEST(PathMaker, JoinedThreadsGoRoundTheirCornerAtTheSpeedOfTheSpindle) {
-    struct Row { double angle, turns, off; };
-    for (const Row& row : {Row{18.4, 2, 0.1}, Row{18.4, 10, 0.1}, Row{18.4, 20, 0.4}, Row{45, 10, 0.4}, Row{90, 10, 1}, Row{150, 10, 3}})
+    struct Row {
+        double angle, turns, off;
+    };
+    for (const Row& row : {Row{18.4, 2, 0.1}, Row{18.4, 10, 0.1}, Row{18.4, 20, 0.4},
+                           Row{45, 10, 0.4}, Row{90, 10, 1}, Row{150, 10, 3}})
         for (const double tolerance : {0.005, 0.0}) {
             SCOPED_TRACE(row.angle);
             SCOPED_TRACE(row.turns);
@@ -152,13 +178,17 @@ TEST(PathMaker, JoinedThreadsGoRoundTheirCornerAtTheSpeedOfTheSpindle) {
                 EXPECT_GT(r.a_max, 300) << "of 2000";
                 const Point end{r.end[0], r.end[1]};
                 const double turn = row.angle * std::numbers::pi / 180;
-                far = std::max(far, std::min(to_segment(end, {0, 0}, {0, -40}), to_segment(end, {0, -40}, {40 * std::sin(turn), -40 - 40 * std::cos(turn)})));
+                far = std::max(
+                    far, std::min(to_segment(end, {0, 0}, {0, -40}),
+                                  to_segment(end, {0, -40},
+                                             {40 * std::sin(turn), -40 - 40 * std::cos(turn)})));
             }
             EXPECT_LT(far, row.off);
         }
 }
 
-// On the line of the spindle, tick by tick: what the axes are told stays within their acceleration (2000) and jerk (40000) round the corner.
+// On the line of the spindle, tick by tick: what the axes are told stays within their acceleration
+// (2000) and jerk (40000) round the corner.
 TEST(PathMaker, JoinedThreadsAskNoJumpOfTheAxes) {
     constexpr double kTick = 0.001, kSpeed = 20;
     for (const double angle : {14.0, 45.0, 90.0, 150.0})
@@ -175,7 +205,8 @@ TEST(PathMaker, JoinedThreadsAskNoJumpOfTheAxes) {
             double acceleration = 0, jerk = 0;
             for (std::size_t n = 3; n < at.size(); ++n)
                 for (double Point::*axis : {&Point::x, &Point::z}) {
-                    const double now = at[n].*axis - 2 * at[n - 1].*axis + at[n - 2].*axis, before = at[n - 1].*axis - 2 * at[n - 2].*axis + at[n - 3].*axis;
+                    const double now = at[n].*axis - 2 * at[n - 1].*axis + at[n - 2].*axis,
+                                 before = at[n - 1].*axis - 2 * at[n - 2].*axis + at[n - 3].*axis;
                     acceleration = std::max(acceleration, std::abs(now) / (kTick * kTick));
                     jerk = std::max(jerk, std::abs(now - before) / (kTick * kTick * kTick));
                 }
@@ -184,9 +215,13 @@ TEST(PathMaker, JoinedThreadsAskNoJumpOfTheAxes) {
         }
 }
 
-// Where a stop is asked for they are two threads: the first one ends, the second one waits for its angle and has a run-in of its own.
+// Where a stop is asked for they are two threads: the first one ends, the second one waits for its
+// angle and has a run-in of its own.
 TEST(PathMaker, ThreadsWithAStopBetweenThemAreNotJoined) {
-    struct Row { double angle; std::uint32_t flags; };
+    struct Row {
+        double angle;
+        std::uint32_t flags;
+    };
     for (const Row& row : {Row{14, kExactStop}, Row{170, 0}}) {
         SCOPED_TRACE(row.angle);
         const auto records = joined_threads(easy_limits(), row.angle, 10, row.flags);
@@ -203,8 +238,12 @@ TEST(PathMaker, ThreadsWithAStopBetweenThemAreNotJoined) {
 TEST(PathMaker, RapidMovesEndInPositionWherePchAsksForIt) {
     const auto flags = [](bool asked, bool overlaps) {
         PathLimits limits = easy_limits();
-        limits.rapid_in_position = asked, limits.rapid_overlaps = overlaps;
-        const auto records = made(limits, [](Program& p) { p.line({5, 0}), p.line({10, 0}, kRapid); });
+        limits.rapid_in_position = asked;
+        limits.rapid_overlaps = overlaps;
+        const auto records = made(limits, [](Program& p) {
+            p.line({5, 0});
+            p.line({10, 0}, kRapid);
+        });
         EXPECT_FALSE(records.front().flags & kInPosition);
         return records.back().flags & kInPosition;
     };
@@ -214,7 +253,10 @@ TEST(PathMaker, RapidMovesEndInPositionWherePchAsksForIt) {
 }
 
 TEST(PathMaker, ATangentialArcGetsATransitionUnlessNoAxisHasAJerkLimit) {
-    const auto text = [](Program& p) { p.line({10, 0}), p.arc({10, 5}, 1.5); };
+    const auto text = [](Program& p) {
+        p.line({10, 0});
+        p.arc({10, 5}, 1.5);
+    };
     auto records = made(easy_limits(), text);
     EXPECT_GE(records.size(), 4u);
     expect_smooth(records);
@@ -226,7 +268,11 @@ TEST(PathMaker, ATangentialArcGetsATransitionUnlessNoAxisHasAJerkLimit) {
 }
 
 TEST(PathMaker, MovesOfNoLengthVanish) {
-    const auto records = made(easy_limits(), [](Program& p) { p.line({1, 0}), p.line({1, 0}), p.line({2, 0}); });
+    const auto records = made(easy_limits(), [](Program& p) {
+        p.line({1, 0});
+        p.line({1, 0});
+        p.line({2, 0});
+    });
     EXPECT_EQ(records.size(), 2u);
 }
 
@@ -261,12 +307,13 @@ TEST(PathMaker, RandomPathsAreSmoothCompleteAndNamedByTheirBlocks) {
         SCOPED_TRACE(seed);
         std::mt19937_64 random(test_seed(seed));
         const int moves = 60;
-        const auto records = made(easy_limits(), [&](Program& p) { random_path(p, random, moves); });
+        const auto records =
+            made(easy_limits(), [&](Program& p) { random_path(p, random, moves); });
         expect_smooth(records);
         if (testing::Test::HasFatalFailure()) return;
         std::int64_t block = 0;
         bool open = false;
-        for (const auto& r : records) {   // I2
+        for (const auto& r : records) {  // I2
             if (r.flags & kBlockBegin) {
                 EXPECT_FALSE(open);
                 EXPECT_EQ(r.block, ++block);
@@ -289,8 +336,10 @@ TEST(PathMaker, SpeedAlongEachRecordIsOneAndItsLengthIsTrue) {
         const auto records = made(easy_limits(), [&](Program& p) { random_path(p, random, 60); });
         for (const auto& r : records)
             for (double f = 0; f <= 1.0001; f += 1.0 / 32) {
-                const double speed = std::hypot(axis_state(r, f * r.length, 0).t, axis_state(r, f * r.length, 1).t);
-                ASSERT_NEAR(speed, 1, 1.1e-4) << "seed " << seed << " kind " << int(r.kind) << " f " << f;
+                const double speed =
+                    std::hypot(axis_state(r, f * r.length, 0).t, axis_state(r, f * r.length, 1).t);
+                ASSERT_NEAR(speed, 1, 1.1e-4)
+                    << "seed " << seed << " kind " << int(r.kind) << " f " << f;
             }
     }
 }
@@ -314,7 +363,8 @@ TEST(PathMaker, PolylinesAreFollowedWithinTolerance) {
             for (double f = 0; f <= 1; f += 0.1) {
                 const Point at = point(r, f * r.length);
                 double off = 1e9;
-                for (std::size_t n = 0; n + 1 < corners.size(); ++n) off = std::min(off, to_segment(at, corners[n], corners[n + 1]));
+                for (std::size_t n = 0; n + 1 < corners.size(); ++n)
+                    off = std::min(off, to_segment(at, corners[n], corners[n + 1]));
                 ASSERT_LE(off, 0.005 + 1e-9) << "seed " << seed;
             }
         std::size_t block = 0;
@@ -322,18 +372,20 @@ TEST(PathMaker, PolylinesAreFollowedWithinTolerance) {
             if (records[n].block != records[n + 1].block) {
                 const Point middle = point(records[n], records[n].length);
                 ++block;
-                ASSERT_LE(std::hypot(middle.x - corners[block].x, middle.z - corners[block].z), 0.005 + 1e-9) << "seed " << seed << " corner " << block;
+                ASSERT_LE(std::hypot(middle.x - corners[block].x, middle.z - corners[block].z),
+                          0.005 + 1e-9)
+                    << "seed " << seed << " corner " << block;
             }
     }
 }
 
-// What compensation has added stays with its axis, whatever slots a blend has: each half belongs to its move, and an axis that
-// the move does not have stands where the one before has left it.
+// What compensation has added stays with its axis, whatever slots a blend has: each half belongs to
+// its move, and an axis that the move does not have stands where the one before has left it.
 TEST(PathMaker, WhatTheNoseAddsGoesAlongWithItsAxis) {
     Collected out;
     const PathLimits limits = easy_limits();
     Program program(out, limits);
-    program.feed = 1;   // so slow that a blend is worth it
+    program.feed = 1;  // so slow that a blend is worth it
     const auto single = [&](std::uint8_t axis, double to, double nose) {
         PathRecord& r = program.begin(RecordKind::Line);
         r.axis_count = 1;
@@ -344,16 +396,19 @@ TEST(PathMaker, WhatTheNoseAddsGoesAlongWithItsAxis) {
         r.nose = {nose};
         program.maker.add_move();
     };
-    single(1, -20, 1);   // only Z, only X, only Z: every corner joins two records that share no axis
+    // only Z, only X, only Z: every corner joins two records that share no axis
+    single(1, -20, 1);
     single(0, 20, 2);
     single(1, -40, 3);
     program.maker.flush();
-    const double wanted[3][2] = {{0, 1}, {2, 1}, {2, 3}};   // behind block 1, 2, 3: X, Z
+    const double wanted[3][2] = {{0, 1}, {2, 1}, {2, 3}};  // behind block 1, 2, 3: X, Z
     bool blended = false;
     ASSERT_GT(out.records.size(), 3u);
     for (const PathRecord& r : out.records) {
         blended = blended || r.axis_count == 2;
-        for (std::size_t k = 0; k < r.axis_count; ++k) EXPECT_EQ(r.nose[k], wanted[r.block - 1][r.axis[k]]) << "block " << r.block << " axis " << int(r.axis[k]);
+        for (std::size_t k = 0; k < r.axis_count; ++k)
+            EXPECT_EQ(r.nose[k], wanted[r.block - 1][r.axis[k]])
+                << "block " << r.block << " axis " << int(r.axis[k]);
     }
     EXPECT_TRUE(blended);
 }

@@ -25,7 +25,8 @@ struct Circle {
         corners.push_back(program.at);
         for (int n = 1; n <= lines; ++n) {
             const double angle = n * length / radius;
-            program.line({rounded(radius * std::cos(angle), rounding), rounded(radius * std::sin(angle), rounding)});
+            program.line({rounded(radius * std::cos(angle), rounding),
+                          rounded(radius * std::sin(angle), rounding)});
             corners.push_back(program.at);
         }
         program.maker.flush();
@@ -34,17 +35,20 @@ struct Circle {
     // The least ceiling away from the ends.
     double slowest() const {
         double v = 1e9;
-        for (std::size_t n = records.size() / 4; n < records.size() * 3 / 4; ++n) v = std::min(v, records[n].v_max);
+        for (std::size_t n = records.size() / 4; n < records.size() * 3 / 4; ++n)
+            v = std::min(v, records[n].v_max);
         return v;
     }
 };
 
 double to_polyline(Point p, const std::vector<Point>& corners, std::size_t near) {
     double off = 1e9;
-    for (std::size_t n = near > 30 ? near - 30 : 0; n + 1 < std::min(corners.size(), near + 30); ++n) {
+    for (std::size_t n = near > 30 ? near - 30 : 0; n + 1 < std::min(corners.size(), near + 30);
+         ++n) {
         const Point a = corners[n], b = corners[n + 1];
         const double dx = b.x - a.x, dz = b.z - a.z, l2 = dx * dx + dz * dz;
-        const double f = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.z - a.z) * dz) / l2, 0.0, 1.0) : 0;
+        const double f =
+            l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.z - a.z) * dz) / l2, 0.0, 1.0) : 0;
         off = std::min(off, std::hypot(p.x - a.x - f * dx, p.z - a.z - f * dz));
     }
     return off;
@@ -52,13 +56,17 @@ double to_polyline(Point p, const std::vector<Point>& corners, std::size_t near)
 
 TEST(ShortLines, OfACircleReachNearlyTheSpeedOfTheCircle) {
     // The axes allow sqrt(0.9 * 2000 * R) on the circle itself, at most 166 mm/s (max feed).
-    struct Row { double radius, length, rounding, share; };
+    struct Row {
+        double radius, length, rounding, share;
+    };
     const Row rows[] = {
-        {50, 0.1, 0, 0.95}, {10, 0.1, 0, 0.9}, {2, 0.1, 0, 0.7},
-        {50, 0.1, 0.001, 0.95}, {10, 0.1, 0.001, 0.45}, {50, 0.01, 0.001, 0.5}, {50, 1.0, 0.001, 0.4},
+        {50, 0.1, 0, 0.95},     {10, 0.1, 0, 0.9},      {2, 0.1, 0, 0.7},
+        {50, 0.1, 0.001, 0.95}, {10, 0.1, 0.001, 0.45}, {50, 0.01, 0.001, 0.5},
+        {50, 1.0, 0.001, 0.4},
     };
     for (const Row& row : rows) {
-        SCOPED_TRACE(testing::Message() << "R " << row.radius << " L " << row.length << " rounding " << row.rounding);
+        SCOPED_TRACE(testing::Message()
+                     << "R " << row.radius << " L " << row.length << " rounding " << row.rounding);
         Circle circle{row.radius, row.length, row.rounding, 400};
         circle.make(easy_limits());
         const double ideal = std::min(166.0, std::sqrt(0.9 * 2000 * row.radius));
@@ -76,8 +84,11 @@ TEST(ShortLines, StayWithinToleranceAndNameEveryBlock) {
                 if (r.flags & kBlockBegin) ++block;
                 EXPECT_EQ(r.block, block);
                 for (double f = 0; f <= 1; f += 0.25) {
-                    const Point p{axis_state(r, f * r.length, 0).p, axis_state(r, f * r.length, 1).p};
-                    ASSERT_LE(to_polyline(p, circle.corners, static_cast<std::size_t>(r.block)), 0.005 + 1e-9) << "rounding " << rounding << " length " << length;
+                    const Point p{axis_state(r, f * r.length, 0).p,
+                                  axis_state(r, f * r.length, 1).p};
+                    ASSERT_LE(to_polyline(p, circle.corners, static_cast<std::size_t>(r.block)),
+                              0.005 + 1e-9)
+                        << "rounding " << rounding << " length " << length;
                 }
             }
             EXPECT_GE(block, 300) << "equal rounded points vanish, the others do not";
@@ -91,10 +102,12 @@ TEST(ShortLines, LeaveNoCornerOut) {
     circle.make(easy_limits());
     std::vector<Point> path;
     for (const auto& r : circle.records)
-        for (double f = 0; f <= 1; f += 0.125) path.push_back({axis_state(r, f * r.length, 0).p, axis_state(r, f * r.length, 1).p});
+        for (double f = 0; f <= 1; f += 0.125)
+            path.push_back({axis_state(r, f * r.length, 0).p, axis_state(r, f * r.length, 1).p});
     for (const Point& corner : circle.corners) {
         double off = 1e9;
-        for (std::size_t n = 0; n + 1 < path.size(); ++n) off = std::min(off, to_polyline(corner, {path[n], path[n + 1]}, 0));
+        for (std::size_t n = 0; n + 1 < path.size(); ++n)
+            off = std::min(off, to_polyline(corner, {path[n], path[n + 1]}, 0));
         EXPECT_LE(off, 0.005 + 1e-9);
     }
 }
@@ -105,7 +118,7 @@ TEST(ShortLines, BlocksThatMoveOneAxisOnlyStayInTheRun) {
     Program program(out, limits);
     for (int n = 1; n <= 60; ++n) {
         PathRecord& r = program.begin(RecordKind::Line);
-        if (n % 3 == 0) {   // Z alone
+        if (n % 3 == 0) {  // Z alone
             r.axis_count = 1;
             r.axis = {1};
             r.start = {program.at.z};
@@ -144,7 +157,8 @@ TEST(ShortLines, EventsStayBehindTheirBlocks) {
     EXPECT_EQ(block, 200);
 }
 
-// Lines along one axis within a run get the other one too: it has what the nose had added to it before.
+// Lines along one axis within a run get the other one too: it has what the nose had added to it
+// before.
 TEST(ShortLines, WhatTheNoseAddsStaysWithItsAxis) {
     Collected out;
     PathLimits limits = easy_limits();
@@ -154,7 +168,7 @@ TEST(ShortLines, WhatTheNoseAddsStaysWithItsAxis) {
     std::vector<Point> noses{{0, 0}};
     for (int n = 0; n < 12; ++n) {
         PathRecord& r = program.begin(RecordKind::Line);
-        if (n % 3 == 0) {   // Z alone
+        if (n % 3 == 0) {  // Z alone
             r.axis_count = 1;
             r.axis = {1};
             r.start = {program.at.z};
@@ -174,7 +188,8 @@ TEST(ShortLines, WhatTheNoseAddsStaysWithItsAxis) {
         curved = curved || kind_of(r) == RecordKind::Curve;
         for (std::size_t k = 0; k < r.axis_count; ++k) {
             const Point& wanted = noses[static_cast<std::size_t>(r.block)];
-            EXPECT_EQ(r.nose[k], r.axis[k] == 0 ? wanted.x : wanted.z) << "block " << r.block << " axis " << int(r.axis[k]);
+            EXPECT_EQ(r.nose[k], r.axis[k] == 0 ? wanted.x : wanted.z)
+                << "block " << r.block << " axis " << int(r.axis[k]);
         }
     }
     EXPECT_TRUE(curved);

@@ -1,4 +1,5 @@
-// Records in path coordinates: what the kernel makes of them keeps every axis' limits, however near the pole they pass.
+// Records in path coordinates: what the kernel makes of them keeps every axis' limits, however near
+// the pole they pass.
 #include "channels/path/transformed_out.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@ Kinematics polar() {
     Kinematics k{};
     k.kind = static_cast<std::uint32_t>(KinematicsKind::Polar);
     k.axis.fill(0xff);
-    k.axis[0] = 0, k.axis[1] = 4;   // X, and a rotary axis of the rig
+    // X, and a rotary axis of the rig
+    k.axis[0] = 0;
+    k.axis[1] = 4;
     k.sign.fill(1.0);
     k.value[1] = 1.0;
     return k;
@@ -30,8 +33,10 @@ std::vector<PathRecord> pieces_of(double au, double av, double bu, double bv, do
     r.kind = static_cast<std::uint8_t>(RecordKind::Line);
     r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
     r.feed = feed;
-    r.axis_count = 2, r.axis = {0, 4};
-    r.start = {au, av}, r.end = {bu, bv};
+    r.axis_count = 2;
+    r.axis = {0, 4};
+    r.start = {au, av};
+    r.end = {bu, bv};
     r.transform = 1;
     maker.add_move();
     maker.flush();
@@ -43,7 +48,8 @@ struct Motion {
 };
 // What the drives do at path speed v, acceleration a, jerk j.
 Motion motion(const PathDerivatives& d, std::size_t slot, double v, double a, double j) {
-    return {d.first[slot] * v, d.first[slot] * a + d.second[slot] * v * v, d.first[slot] * j + 3 * d.second[slot] * v * a + d.third[slot] * v * v * v};
+    return {d.first[slot] * v, d.first[slot] * a + d.second[slot] * v * v,
+            d.first[slot] * j + 3 * d.second[slot] * v * a + d.third[slot] * v * v * v};
 }
 
 void expect_limits_kept(const std::vector<PathRecord>& records) {
@@ -94,7 +100,7 @@ TEST(TransformedOut, LeadsTheDrivesOnWithoutAStep) {
             }
             ASSERT_TRUE(drives_at(records[n], &k, records[n].length, end));
         }
-        if (b < 0.0005) {   // through the pole: one record, the linear axis goes to the other side
+        if (b < 0.0005) {  // through the pole: one record, the linear axis goes to the other side
             ASSERT_EQ(records.size(), 1u);
             EXPECT_NEAR(end[0], -30, 1e-6);
             EXPECT_NEAR(end[1], -b / 30 * 180 / std::numbers::pi, 1e-6);
@@ -105,8 +111,9 @@ TEST(TransformedOut, LeadsTheDrivesOnWithoutAStep) {
     }
 }
 
-// Past the pole the pieces count the turn of the rotary axis too: the points are those of the line, speed and acceleration go on
-// from piece to piece and into what stands beside, and the way never goes faster than the feed.
+// Past the pole the pieces count the turn of the rotary axis too: the points are those of the line,
+// speed and acceleration go on from piece to piece and into what stands beside, and the way never
+// goes faster than the feed.
 TEST(TransformedOut, CountsTheTurnWithoutLeavingTheLineOrItsFeed) {
     for (const double b : {0.2, 0.02, 0.001, 0.0006}) {
         SCOPED_TRACE(b);
@@ -124,22 +131,27 @@ TEST(TransformedOut, CountsTheTurnWithoutLeavingTheLineOrItsFeed) {
                 ASSERT_NEAR(p[1], b, 1e-9);
                 PathDerivatives d;
                 derivatives_at(r, r.length * i / 20, d);
-                ASSERT_LE(-d.first[0] * r.feed, 50 * (1 + 1e-9)) << n;   // mm/s of the way
+                ASSERT_LE(-d.first[0] * r.feed, 50 * (1 + 1e-9)) << n;  // mm/s of the way
                 ASSERT_GT(-d.first[0], 0) << n;
             }
             if (n == 0) continue;
             PathDerivatives before, behind;
             derivatives_at(records[n - 1], records[n - 1].length, before);
             derivatives_at(r, 0, behind);
-            ASSERT_NEAR(before.first[0], behind.first[0], 1e-7 + 1e-5 * std::abs(behind.first[0])) << n;
-            ASSERT_NEAR(before.second[0], behind.second[0], 1e-6 + 1e-4 * std::abs(behind.second[0])) << n;
+            ASSERT_NEAR(before.first[0], behind.first[0], 1e-7 + 1e-5 * std::abs(behind.first[0]))
+                << n;
+            ASSERT_NEAR(before.second[0], behind.second[0],
+                        1e-6 + 1e-4 * std::abs(behind.second[0]))
+                << n;
         }
         EXPECT_NEAR(way, 65, 1e-9);
         EXPECT_GT(curves, 10u);
         EXPECT_GT(length, 65.0);
     }
-    // Where the rotary axis follows the feed anyway, and at the ends of a line, nothing is counted differently.
-    for (const PathRecord& r : pieces_of(30, 20, -30, 20)) EXPECT_EQ(r.kind, static_cast<std::uint8_t>(RecordKind::Line));
+    // Where the rotary axis follows the feed anyway, and at the ends of a line, nothing is counted
+    // differently.
+    for (const PathRecord& r : pieces_of(30, 20, -30, 20))
+        EXPECT_EQ(r.kind, static_cast<std::uint8_t>(RecordKind::Line));
     const auto records = pieces_of(40, 0.001, -25, 0.001);
     EXPECT_EQ(records.front().kind, static_cast<std::uint8_t>(RecordKind::Line));
     EXPECT_EQ(records.back().kind, static_cast<std::uint8_t>(RecordKind::Line));

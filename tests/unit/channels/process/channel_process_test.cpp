@@ -49,11 +49,14 @@ TEST_F(ChannelProcessTest, PushesAProgramFromCycleStartToItsEnd) {
     EXPECT_STREQ(names.name.data(), "O0001.nc");
 }
 
-// 30 mm: the first 2 after one inner corner and the last 5 before another at half the feed; one note, told once.
+// 30 mm: the first 2 after one inner corner and the last 5 before another at half the feed; one
+// note, told once.
 TEST_F(ChannelProcessTest, InnerCornersAreCutWithTheirShareOfTheFeed) {
     const ScriptedRun::Line cut = [this](Sink& sink, const MachineView& view, Port&) {
         Move move = line_to(view, at, 0, 30);
-        move.slow_head = 2, move.slow_tail = 5, move.slow_share = 0.5;
+        move.slow_head = 2;
+        move.slow_tail = 5;
+        move.slow_share = 0.5;
         ++block.line;
         sink.move(move, block);
         sink.block_end(block);
@@ -87,9 +90,11 @@ TEST_F(ChannelProcessTest, StandsAtABarrierUntilTheKernelHasAnswered) {
     EXPECT_EQ(rig.channel->path.head.load(), pushed + 2) << "the move and the end";
 }
 
-// A restart that searches its block tells nothing of the codes that drain: two of them one after the other.
+// A restart that searches its block tells nothing of the codes that drain: two of them one after
+// the other.
 TEST_F(ChannelProcessTest, StandsAtASecondBarrierThoughNothingLiesBetween) {
-    for (int n = 0; n < 2; ++n) rig.program.push_back([](Sink&, const MachineView&, Port&) { return Step::AtBarrier; });
+    for (int n = 0; n < 2; ++n)
+        rig.program.push_back([](Sink&, const MachineView&, Port&) { return Step::AtBarrier; });
     rig.tell(ChannelEventKind::CycleStart);
     for (int n = 0; n < 2; ++n) {
         rig.run_until_quiet();
@@ -114,14 +119,15 @@ TEST_F(ChannelProcessTest, WaitsForRoomAndLosesNothing) {
     kernel.join();
     rig.take_all();
     std::uint32_t blocks = 0;
-    for (const auto& r : rig.taken) blocks += (r.flags & kBlockEnd) && kind_of(r) != RecordKind::Stop;
+    for (const auto& r : rig.taken)
+        blocks += (r.flags & kBlockEnd) && kind_of(r) != RecordKind::Stop;
     EXPECT_EQ(blocks, 6000u);
 }
 
 TEST_F(ChannelProcessTest, AResetEndsInterpretationAndRaisesTheEpoch) {
     for (int n = 1; n <= 100; ++n) rig.program.push_back(line(n, 0));
     rig.tell(ChannelEventKind::CycleStart);
-    for (int n = 0; n < 2; ++n) rig.process->turn(false);   // in the middle of it
+    for (int n = 0; n < 2; ++n) rig.process->turn(false);  // in the middle of it
     rig.tell(ChannelEventKind::Reset, 0, 0, 2);
     rig.run_until_quiet();
     EXPECT_EQ(rig.channel->epoch.load(), 2u);
@@ -190,7 +196,7 @@ TEST_F(ChannelProcessTest, ASuccessorStartsInResetAndHearsOnlyWhatComesAfterIt) 
     rig.run_until_quiet();
     rig.take_all();
     rig.taken.clear();
-    rig.start_process();   // the first one is gone, with records in its ring that nobody takes
+    rig.start_process();  // the first one is gone, with records in its ring that nobody takes
     at = {};
     rig.run_until_quiet();
     EXPECT_EQ(rig.channel->path.head.load(), 0u);

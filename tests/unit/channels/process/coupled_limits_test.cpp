@@ -8,15 +8,16 @@ namespace {
 PathLimits limits() {
     PathLimits all;
     for (PathAxis& axis : all.axis) axis = {100, 50, 1000, 800, 1e5, 10, 0, 0, false};
-    all.axis[3].rapid = 40, all.axis[3].accel = 300;
+    all.axis[3].rapid = 40;
+    all.axis[3].accel = 300;
     return all;
 }
 
 TEST(CoupledLimits, AMasterGoesNoFasterThanTheLastSlaveOfItsChain) {
     PathLimits all = limits();
     Couplings couplings;
-    couplings.synchronous[2] = 1;   // A3 follows A1
-    couplings.synchronous[3] = 3;   // A4 follows A3
+    couplings.synchronous[2] = 1;  // A3 follows A1
+    couplings.synchronous[3] = 3;  // A4 follows A3
     lower_for_couplings(all, couplings);
     EXPECT_EQ(all.axis[0].rapid, 40);
     EXPECT_EQ(all.axis[0].accel, 300);

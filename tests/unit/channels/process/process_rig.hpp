@@ -1,4 +1,5 @@
-// Supervisor, store and kernel played by the test in one thread with the real channel process: events in, records out.
+// Supervisor, store and kernel played by the test in one thread with the real channel process:
+// events in, records out.
 #pragma once
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,9 +16,12 @@ namespace polyturn::channels::rig {
 class ScriptedRun : public ProgramRun {
 public:
     using Line = std::function<Step(Sink&, const MachineView&, Port&)>;
-    ScriptedRun(const MachineView& view, Sink& sink, Port& port, const std::vector<Line>& lines) : view_(view), sink_(sink), port_(port), lines_(lines) {}
+    ScriptedRun(const MachineView& view, Sink& sink, Port& port, const std::vector<Line>& lines)
+        : view_(view), sink_(sink), port_(port), lines_(lines) {}
     Result<void> start() override { return {}; }
-    Step step() override { return next_ < lines_.size() ? lines_[next_++](sink_, view_, port_) : Step::Ended; }
+    Step step() override {
+        return next_ < lines_.size() ? lines_[next_++](sink_, view_, port_) : Step::Ended;
+    }
     void barrier_done() override { ++barriers; }
     std::size_t file_count() const override { return 1; }
     std::string file_name(std::size_t) const override { return "O0001.nc"; }
@@ -57,7 +61,9 @@ public:
         params::put(*table, params::n0100_axis_name1, 'Z', 2);
         params::put(*table, params::n0103_axis_to_plane, 3, 2);
         store->parameters.write(*table);
-        supervisor.publish(), store.publish(), kernel.publish();
+        supervisor.publish();
+        store.publish();
+        kernel.publish();
         start_process();
     }
     ~ProcessRig() { remove_instance(instance); }
@@ -67,14 +73,16 @@ public:
         process.reset();
         kernel->path_tail[0].tail.store(0);
         ProcessServices services;
-        services.make_run = [this](MachineView& view, Sink& sink, Port& port, const ProgramChoice&) {
+        services.make_run = [this](MachineView& view, Sink& sink, Port& port,
+                                   const ProgramChoice&) {
             return std::make_unique<ScriptedRun>(view, sink, port, program);
         };
         process = std::move(*ChannelProcess::create(instance, 1, std::move(services)));
         channel = std::move(*PeerSegment<ChannelSegment>::attach(instance, 1));
     }
 
-    void tell(ChannelEventKind kind, std::uint64_t record = 0, double value = 0, std::uint32_t epoch = 1) {
+    void tell(ChannelEventKind kind, std::uint64_t record = 0, double value = 0,
+              std::uint32_t epoch = 1) {
         ChannelEvent e;
         e.seq = ++event;
         e.kind = static_cast<std::uint32_t>(kind);
@@ -96,7 +104,10 @@ public:
         std::size_t drains = 0;
         while (const PathRecord* r = ring.front()) {
             taken.push_back(*r);
-            if (r->flags & kDrains) tell(ChannelEventKind::BarrierReached, ring.tail()), ++drains;
+            if (r->flags & kDrains) {
+                tell(ChannelEventKind::BarrierReached, ring.tail());
+                ++drains;
+            }
             ring.pop();
         }
         return drains;
@@ -110,7 +121,8 @@ inline Move line_to(const MachineView& view, AxisValues& at, double x, double z)
     move.feed = 600;
     move.machine_start = at;
     move.machine = at;
-    move.machine[0] = x, move.machine[1] = z;
+    move.machine[0] = x;
+    move.machine[1] = z;
     move.moved = 3;
     at = move.machine;
     (void)view;

@@ -1,14 +1,15 @@
 // A block goes on in its middle with other offsets; a program is restarted at a block.
+#include "channels/hold/resume_sink.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <numbers>
 
-#include "channels/process/approach.hpp"
-#include "channels/process/operator_changes.hpp"
-#include "channels/process/restart_sink.hpp"
-#include "channels/process/resume_sink.hpp"
+#include "channels/hold/approach.hpp"
+#include "channels/hold/operator_changes.hpp"
+#include "channels/hold/restart_sink.hpp"
 #include "ipc/image/segments.hpp"
 
 namespace polyturn::channels {
@@ -20,14 +21,19 @@ struct Seen final : Sink {
     std::vector<StopReason> stops;
     std::vector<Spindle> spindles;
     std::vector<std::uint32_t> waits, parts;
-    void move(const Move& m, const BlockContext& at) override { moves.push_back(m), parts.push_back(at.part); }
+    void move(const Move& m, const BlockContext& at) override {
+        moves.push_back(m);
+        parts.push_back(at.part);
+    }
     void dwell(const Dwell&, const BlockContext&) override {}
     void aux(const Aux& a, const BlockContext&) override { aux_texts.emplace_back(a.text); }
     void spindle(const Spindle& s, const BlockContext&) override { spindles.push_back(s); }
     void wait(const Wait& w, const BlockContext&) override { waits.push_back(w.channels); }
     void variable(const Variable&, const BlockContext&) override {}
     void offset(const OffsetWrite&, const BlockContext&) override {}
-    void message(std::string_view text, const BlockContext&) override { messages.emplace_back(text); }
+    void message(std::string_view text, const BlockContext&) override {
+        messages.emplace_back(text);
+    }
     void stop(const Stop& s, const BlockContext&) override { stops.push_back(s.reason); }
     void part(double, const BlockContext&) override {}
     void alarm(const Diagnosis&, const BlockContext&) override {}
@@ -80,12 +86,13 @@ TEST(ResumeSink, NumbersWhatABlockCauses) {
     EXPECT_EQ(b.seen.parts, (std::vector<std::uint32_t>{1, 2, 1}));
 }
 
-// Held at Z-4 of Z0 to Z-10; X has become 0.5 greater: a short step at feed to the new line, then the rest of it.
+// Held at Z-4 of Z0 to Z-10; X has become 0.5 greater: a short step at feed to the new line, then
+// the rest of it.
 TEST(ResumeSink, GoesOnFromTheNearestPointOfTheNewPath) {
     Bench b;
     ResumeSink sink(*b.view, b.seen);
     sink.go_back(7, 2, true, {20, -4}, {20, -4});
-    sink.move(line({30.5, 0}, {20.5, 0}), block(7));    // executed
+    sink.move(line({30.5, 0}, {20.5, 0}), block(7));  // executed
     sink.move(line({20.5, 0}, {20.5, -10}), block(7));
     sink.move(line({20.5, -10}, {25, -10}), block(8));
     ASSERT_EQ(b.seen.moves.size(), 3u);
@@ -103,7 +110,7 @@ TEST(ResumeSink, NeverGoesBackAlongThePath) {
     Bench b;
     ResumeSink sink(*b.view, b.seen);
     sink.go_back(7, 1, true, {20, -4}, {20, -4});
-    sink.move(line({20, -1}, {20, -11}), block(7));   // the zero went 1 mm along Z
+    sink.move(line({20, -1}, {20, -11}), block(7));  // the zero went 1 mm along Z
     ASSERT_EQ(b.seen.moves.size(), 1u);
     EXPECT_EQ(b.seen.moves[0].machine_start[1], -4);
     EXPECT_EQ(b.seen.moves[0].machine[1], -11);
@@ -122,13 +129,16 @@ TEST(ResumeSink, DrivesAPartThatHasNotBegunFromItsBeginning) {
 TEST(ResumeSink, KeepsTheRestOfAnArc) {
     Bench b;
     ResumeSink sink(*b.view, b.seen);
-    // A quarter circle about (10, 0) from (10, 5) to (15, 0), X first axis; held half way; X has grown by 0.1.
+    // A quarter circle about (10, 0) from (10, 5) to (15, 0), X first axis; held half way; X has
+    // grown by 0.1.
     const double h = 5 * std::numbers::sqrt2 / 2;
     sink.go_back(3, 1, true, {10 + h, h}, {10 + h, h});
     Move arc = line({10.1, 5}, {15.1, 0});
     arc.kind = MoveKind::ArcCw;
-    arc.plane_p = 1, arc.plane_q = 0;
-    arc.centre_p = 0, arc.centre_q = 10.1;
+    arc.plane_p = 1;
+    arc.plane_q = 0;
+    arc.centre_p = 0;
+    arc.centre_q = 10.1;
     arc.radius = arc.radius_end = 5;
     arc.sweep = std::numbers::pi / 2;
     sink.move(arc, block(3));
@@ -146,7 +156,8 @@ TEST(ResumeSink, KeepsTheRestOfACurve) {
     ResumeSink sink(*b.view, b.seen);
     sink.go_back(3, 1, true, {2, -5.5}, {2, -5.5});
     Move curve = line({0, 0}, {6, -9});
-    curve.through = std::make_shared<std::vector<AxisValues>>(std::vector<AxisValues>{{1, -4}, {3, -7}});
+    curve.through =
+        std::make_shared<std::vector<AxisValues>>(std::vector<AxisValues>{{1, -4}, {3, -7}});
     sink.move(curve, block(3));
     ASSERT_EQ(b.seen.moves.size(), 1u);
     const Move& rest = b.seen.moves[0];
@@ -195,7 +206,8 @@ TEST(RestartSink, GathersAndThenShowsStopsAndApproaches) {
     sink.spindle(s, block(6, 19));
     sink.move(line({100, 50}, {30, 2}), block(7, 20));
     Wait w;
-    w.code = 501, w.channels = 3;
+    w.code = 501;
+    w.channels = 3;
     sink.wait(w, block(8, 22));
     EXPECT_TRUE(b.seen.moves.empty());
     EXPECT_TRUE(b.seen.waits.empty()) << "the partner does not restart";
@@ -220,7 +232,8 @@ TEST(RestartSink, ReplaysWaitsOfChannelsThatRestartToo) {
     RestartSink sink(*b.view, b.seen);
     sink.search(30, 0b11);
     Wait w;
-    w.code = 501, w.channels = 0b111;
+    w.code = 501;
+    w.channels = 0b111;
     sink.wait(w, block(1, 10));
     EXPECT_EQ(b.seen.waits, (std::vector<std::uint32_t>{0b11}));
 }
@@ -231,8 +244,13 @@ TEST(RestartSink, LoadsTheToolBeforeTheLastM6AndPreparesTheNext) {
     b.view.reset(new MachineView(make_machine_view(*b.table, 1)));
     RestartSink sink(*b.view, b.seen);
     sink.search(30, 1);
-    for (const auto& [letter, value, text] : std::initializer_list<std::tuple<char, double, const char*>>{
-             {'T', 1, "T1"}, {'M', 6, "M6"}, {'T', 2, "T2"}, {'M', 6, "M6"}, {'T', 3, "T3"}, {'T', 4, "T4"}})
+    for (const auto& [letter, value, text] :
+         std::initializer_list<std::tuple<char, double, const char*>>{{'T', 1, "T1"},
+                                                                      {'M', 6, "M6"},
+                                                                      {'T', 2, "T2"},
+                                                                      {'M', 6, "M6"},
+                                                                      {'T', 3, "T3"},
+                                                                      {'T', 4, "T4"}})
         sink.aux({letter, value, text, false, false, false, {}, {}}, block(1, 10));
     sink.block_read(block(2, 30));
     EXPECT_EQ(b.seen.aux_texts, (std::vector<std::string>{"T2", "M6", "T4"}));

@@ -14,7 +14,7 @@ Play sinumerik() {
 
 struct Row {
     const char* expression;
-    const char* value;   // as the event prints it
+    const char* value;  // as the event prints it
 };
 constexpr Row kRows[] = {
     {"2+3*4", "14"},
@@ -82,14 +82,15 @@ TEST(SinumerikExpression, HasTheValueOfTheTable) {
         SCOPED_TRACE(row.expression);
         const Played played = play("R9=" + std::string(row.expression) + "\nM30\n", sinumerik());
         EXPECT_EQ(played.errors, 0u) << played.events;
-        EXPECT_TRUE(played.has({"\"name\":\"R9\",\"value\":" + std::string(row.value) + "}"})) << played.events;
+        EXPECT_TRUE(played.has({"\"name\":\"R9\",\"value\":" + std::string(row.value) + "}"}))
+            << played.events;
     }
 }
 
 struct Wrong {
     const char* block;
     const char* number;
-    unsigned column;   // 0: the whole block
+    unsigned column;  // 0: the whole block
 };
 constexpr Wrong kWrong[] = {
     {"R1=1/0", "17001", 5},
@@ -109,15 +110,17 @@ constexpr Wrong kWrong[] = {
     {"WHEN TRUE DO DELDTG(X)", "12140", 14},
     {"WHEN $A_IN[1]==1 DO DELDTG", "12140", 7},
     {"GOTOF NOWHERE", "14080", 0},
-    {"IF R1==5 GOTOF", "12080", 15},       // the condition does not hold: the mistake is one nevertheless
-    {"SIN(5)", "12080", 1},                // its value goes nowhere
+    // the condition does not hold: the mistake is one nevertheless
+    {"IF R1==5 GOTOF", "12080", 15},
+    {"SIN(5)", "12080", 1},  // its value goes nowhere
     {"MODAXVAL(C,5)", "12080", 1},
-    {"G1 X10 F100 RND 2", "12080", 17},    // an address of several letters needs its = (part 1, 3.2.3)
+    // an address of several letters needs its = (part 1, 3.2.3)
+    {"G1 X10 F100 RND 2", "12080", 17},
     {"G1 X10 F100 RND -2", "12080", 17},
     {"G1 X10 F100 RND2", "12550", 13},
-    {"G25 Z-10 G0 X5", "12080", 0},        // limits have a block of their own (part 2, 15.3.1)
-    {"G4 F1 G0 X5", "12080", 0},           // and a dwell (15.7)
-    {"G0 X5 G111 Z0", "12080", 0},         // the pole has a block of its own (part 1, 10.3)
+    {"G25 Z-10 G0 X5", "12080", 0},  // limits have a block of their own (part 2, 15.3.1)
+    {"G4 F1 G0 X5", "12080", 0},     // and a dwell (15.7)
+    {"G0 X5 G111 Z0", "12080", 0},   // the pole has a block of its own (part 1, 10.3)
     {"TCARR=2", "12140", 1},
     {"IP[C]=2 G2 X5", "14092", 1},
     {"ENDIF", "12640", 0},
@@ -139,9 +142,12 @@ TEST(SinumerikFault, HasItsNumberAndColumnAndMovesNothing) {
         SCOPED_TRACE(row.block);
         const Played played = play(std::string(row.block) + "\nM30\n", sinumerik());
         const std::string alarm = played.find({"\"ev\":\"alarm\"", "\"severity\":\"error\""});
-        EXPECT_NE(alarm.find("\"number\":" + std::string(row.number) + ","), std::string::npos) << played.events;
+        EXPECT_NE(alarm.find("\"number\":" + std::string(row.number) + ","), std::string::npos)
+            << played.events;
         if (row.column) {
-            EXPECT_NE(alarm.find("\"column\":" + std::to_string(row.column) + ","), std::string::npos) << alarm;
+            EXPECT_NE(alarm.find("\"column\":" + std::to_string(row.column) + ","),
+                      std::string::npos)
+                << alarm;
         }
         EXPECT_FALSE(played.has({"\"ev\":\"move\""}));
     }

@@ -9,13 +9,16 @@ namespace {
 
 using testing::CoreRig;
 
-double within(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 100'001) / 100'000.0; }
+double within(double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 100'001) / 100'000.0;
+}
 
 Frame any_frame() {
     Frame f = Frame::translation({within(-50, 50), within(-50, 50), within(-50, 50)});
     f = f * Frame::rotation(static_cast<GeoAxis>(*rc::gen::inRange(0, 3)), within(-360, 360));
     f = f * Frame::scaling({within(0.2, 3), within(0.2, 3), within(0.2, 3)});
-    return f * Frame::mirror(*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>());
+    return f * Frame::mirror(*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
+                             *rc::gen::arbitrary<bool>());
 }
 
 PROPERTY(Frames, TheInverseTakesAnyPointBack, ()) {
@@ -44,7 +47,8 @@ TEST(Frames, QuarterTurnsAreExactAndRightHanded) {
 // Two spindles: TRANS Z100, AMIRROR Z, ATRANS Z10 puts z at 100 - (10 + z).
 TEST(CoreFrame, AMirroredSystemOfTheCounterSpindle) {
     CoreRig rig;
-    rig.core->set_frame(Frame::translation({0, 0, 100}) * Frame::mirror(false, false, true) * Frame::translation({0, 0, 10}));
+    rig.core->set_frame(Frame::translation({0, 0, 100}) * Frame::mirror(false, false, true) *
+                        Frame::translation({0, 0, 10}));
     ASSERT_TRUE(rig.line(20, 5));
     EXPECT_NEAR(rig.core->path.machine[rig.z], 85, 1e-12);
     EXPECT_NEAR(rig.sink.moves().back().move.pos[rig.z], 85, 1e-12);
@@ -58,7 +62,8 @@ TEST(CoreFrame, AChangeMovesNothingAndRenumbersTheProgrammedPoint) {
     rig.core->set_frame(Frame::translation({1, 0, 2}) * Frame::rotation(GeoAxis::Y, 90));
     EXPECT_EQ(rig.core->moves(), moves);
     EXPECT_EQ(rig.core->path.machine[rig.x], 20);
-    // (x, z) - (1, 2) = (19, 3); turned back by 90 degrees about Y: x outside = z inside, z outside = -x inside
+    // (x, z) - (1, 2) = (19, 3); turned back by 90 degrees about Y: x outside = z inside, z outside
+    // = -x inside
     EXPECT_NEAR(rig.core->path.programmed[rig.z], 19, 1e-12);
     EXPECT_NEAR(rig.core->path.programmed[rig.x], -3, 1e-12);
     rig.core->set_frame({});
@@ -69,8 +74,9 @@ TEST(CoreFrame, AnArcKeepsItsShapeAndTurnsItsSenseUnderAMirror) {
     CoreRig rig;
     ASSERT_TRUE(rig.line(40, 12));
     rig.core->set_frame(Frame::scaling({2, 2, 2}) * Frame::mirror(false, false, true));
-    ASSERT_TRUE(rig.line(20, 6));                       // outside: 40, -12
-    ASSERT_TRUE(rig.arc(25, 1, 25, 6, false));          // radius 5, ccw; outside radius 10 about 50, -12, cw
+    ASSERT_TRUE(rig.line(20, 6));  // outside: 40, -12
+    // radius 5, ccw; outside radius 10 about 50, -12, cw
+    ASSERT_TRUE(rig.arc(25, 1, 25, 6, false));
     const Move& m = rig.sink.moves().back().move;
     EXPECT_EQ(m.kind, MoveKind::ArcCw);
     EXPECT_NEAR(m.radius, 10, 1e-9);
@@ -102,18 +108,19 @@ TEST(CoreFrame, ARotationOutOfTheLathesPlaneNeedsY) {
 TEST(CoreFrame, AQuarterTurnPutsAnArcIntoAnotherPlane) {
     CoreRig rig(true);
     rig.core->path.plane = Plane::XY;
-    rig.core->set_frame(Frame::rotation(GeoAxis::X, 90));   // y inside = z outside
+    rig.core->set_frame(Frame::rotation(GeoAxis::X, 90));  // y inside = z outside
     AxisValues t{};
     t[rig.x] = 10;
     ASSERT_TRUE(rig.core->linear(t));
-    t[rig.x] = 0, t[rig.y] = 10;
+    t[rig.x] = 0;
+    t[rig.y] = 10;
     ArcCall call;
     call.clockwise = false;
     ASSERT_TRUE(rig.core->arc(t, call));
     const Move& m = rig.sink.moves().back().move;
     EXPECT_EQ(m.plane_p, rig.z);
     EXPECT_EQ(m.plane_q, rig.x);
-    EXPECT_EQ(m.kind, MoveKind::ArcCw);     // from X to Z is against the sense of the plane Z X
+    EXPECT_EQ(m.kind, MoveKind::ArcCw);  // from X to Z is against the sense of the plane Z X
     EXPECT_NEAR(m.machine[rig.z], 10, 1e-9);
     rig.core->set_frame(Frame::rotation(GeoAxis::X, 30));
     EXPECT_FALSE(rig.core->arc(t, call));
@@ -126,11 +133,16 @@ PROPERTY(CoreFrame, TheEquationHolds, ()) {
     Core& core = *rig.core;
     for (int n = 0; n < 20; ++n) {
         switch (*rc::gen::inRange(0, 4)) {
-            case 0: core.set_frame(any_frame()); break;
-            case 1: core.local_zero(rig.z, within(-20, 20)); break;
+            case 0:
+                core.set_frame(any_frame());
+                break;
+            case 1:
+                core.local_zero(rig.z, within(-20, 20));
+                break;
             case 2: {
                 AxisValues shift{};
-                shift[rig.x] = within(-20, 20), shift[rig.y] = within(-5, 5);
+                shift[rig.x] = within(-20, 20);
+                shift[rig.y] = within(-5, 5);
                 core.set_shift(shift);
                 break;
             }
@@ -138,12 +150,14 @@ PROPERTY(CoreFrame, TheEquationHolds, ()) {
                 AxisValues t{};
                 for (const unsigned i : {rig.x, rig.y, rig.z}) t[i] = within(-50, 50);
                 RC_ASSERT(core.linear(t));
-                for (const unsigned i : {rig.x, rig.y, rig.z}) RC_ASSERT(std::fabs(core.path.programmed[i] - t[i]) < 1e-12);
+                for (const unsigned i : {rig.x, rig.y, rig.z})
+                    RC_ASSERT(std::fabs(core.path.programmed[i] - t[i]) < 1e-12);
             }
         }
         const AxisValues point = core.framed(core.path.programmed);
         for (const unsigned i : {rig.x, rig.y, rig.z})
-            RC_ASSERT(std::fabs(core.path.machine[i] - point[i] - core.path.zero[i] - core.path.shift[i] - core.path.vector[i]) < 1e-7);
+            RC_ASSERT(std::fabs(core.path.machine[i] - point[i] - core.path.zero[i] -
+                                core.path.shift[i] - core.path.vector[i]) < 1e-7);
     }
 }
 

@@ -1,4 +1,5 @@
-// Exchanged axes (nct part 2 22.4): where the borrowed drive goes, by the formulas of the specification.
+// Exchanged axes (nct part 2 22.4): where the borrowed drive goes, by the formulas of the
+// specification.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,10 +14,12 @@ namespace {
 struct BorrowedX : CoreRig {
     explicit BorrowedX(int config, double drive_at, double zero = 0) {
         params::put(*view.parameters, params::n2105_composit_config, config, 1);
-        view.store->zeros[static_cast<std::size_t>(kZeroG54Row) * kChannelAxes + x] = 2 * zero;   // shown as a diameter
+        // shown as a diameter
+        view.store->zeros[static_cast<std::size_t>(kZeroG54Row) * kChannelAxes + x] = 2 * zero;
         core->load_zeros();
         std::array<std::uint8_t, kMaxAxes> route{};
-        route[0] = 3, route[2] = 1;
+        route[0] = 3;
+        route[2] = 1;
         EXPECT_TRUE(take_routes(view, route));
         core->refresh_limits();
         core->take_machine(x, drive_at);
@@ -32,7 +35,8 @@ TEST(Routes, TrueSideKeepsTheNumbers) {
 }
 
 TEST(Routes, VirtualSideIsMirroredAboutTheWorkpieceZero) {
-    BorrowedX rig(4, -40, 7);                                    // zero at machine 7: x_true = -x_prog
+    // zero at machine 7: x_true = -x_prog
+    BorrowedX rig(4, -40, 7);
     EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 47);
     ASSERT_TRUE(rig.line(15, 0));
     EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine_start[rig.x], -40);
@@ -45,7 +49,8 @@ TEST(Routes, OppositeDirectionsAreNegated) {
     EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 40);
     ASSERT_TRUE(rig.line(15, 0));
     EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], -15);
-    BorrowedX both(5, -40);                                      // mirrored and opposite: as if nothing were
+    // mirrored and opposite: as if nothing were
+    BorrowedX both(5, -40);
     EXPECT_DOUBLE_EQ(both.core->path.programmed[both.x], -40);
 }
 
@@ -54,20 +59,24 @@ TEST(Routes, AnArcTurnsRoundOnTheOtherSide) {
     ASSERT_TRUE(rig.line(12, -3));
     ASSERT_TRUE(rig.arc(20, -11, 12, -11, false));
     const Move arc = rig.sink.moves().back().move;
-    EXPECT_EQ(arc.kind, MoveKind::ArcCcw);                       // as programmed
+    EXPECT_EQ(arc.kind, MoveKind::ArcCcw);  // as programmed
     EXPECT_DOUBLE_EQ(arc.centre_q, -12);
     EXPECT_DOUBLE_EQ(arc.centre_p, -11);
     EXPECT_DOUBLE_EQ(arc.machine[rig.x], -20);
     // From the start, turned about the centre by the sweep, one comes to the end: p is Z, q is X.
-    const double p = arc.machine_start[rig.z] - arc.centre_p, q = arc.machine_start[rig.x] - arc.centre_q;
-    EXPECT_NEAR(arc.centre_p + p * std::cos(arc.sweep) - q * std::sin(arc.sweep), arc.machine[rig.z], 1e-9);
-    EXPECT_NEAR(arc.centre_q + p * std::sin(arc.sweep) + q * std::cos(arc.sweep), arc.machine[rig.x], 1e-9);
+    const double p = arc.machine_start[rig.z] - arc.centre_p,
+                 q = arc.machine_start[rig.x] - arc.centre_q;
+    EXPECT_NEAR(arc.centre_p + p * std::cos(arc.sweep) - q * std::sin(arc.sweep),
+                arc.machine[rig.z], 1e-9);
+    EXPECT_NEAR(arc.centre_q + p * std::sin(arc.sweep) + q * std::cos(arc.sweep),
+                arc.machine[rig.x], 1e-9);
 }
 
 TEST(Routes, AnotherZeroMovesNothing) {
     BorrowedX rig(4, -40);
     rig.core->local_zero(rig.x, 10);
-    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 50);      // true side: -40 is 50 behind the zero at 10
+    // true side: -40 is 50 behind the zero at 10
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 50);
     ASSERT_TRUE(rig.line(50, 1));
     EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], -40);
 }
@@ -75,7 +84,8 @@ TEST(Routes, AnotherZeroMovesNothing) {
 TEST(Routes, LimitsAreThoseOfTheBorrowedDrive) {
     BorrowedX rig(4, -40);
     ChannelAxis& axis = rig.view.axes[rig.x];
-    axis.stroke.range1 = true, axis.stroke.a = {-60, 0};
+    axis.stroke.range1 = true;
+    axis.stroke.a = {-60, 0};
     rig.view.stroke.before_move = true;
     rig.core->refresh_limits();
     EXPECT_TRUE(rig.line(59, 0));
@@ -83,11 +93,14 @@ TEST(Routes, LimitsAreThoseOfTheBorrowedDrive) {
     EXPECT_EQ(rig.core->fault().alarm, Alarm::StrokeExceeded);
 }
 
-// nct part 2 22.5: limits are checked on the machine position with what the master has added: here Z is 100 further on.
+// nct part 2 22.5: limits are checked on the machine position with what the master has added: here
+// Z is 100 further on.
 TEST(Superimposed, TheLimitCountsFromWhereTheMasterHasBroughtTheAxis) {
     struct Added final : ForwardingPort {
         Added(Port& next, unsigned axis) : ForwardingPort(next), axis_(axis) {}
-        double axis_added(unsigned machine_axis) override { return machine_axis == axis_ ? 100.0 : 0.0; }
+        double axis_added(unsigned machine_axis) override {
+            return machine_axis == axis_ ? 100.0 : 0.0;
+        }
         unsigned axis_;
     };
     CoreRig rig;
@@ -96,7 +109,8 @@ TEST(Superimposed, TheLimitCountsFromWhereTheMasterHasBroughtTheAxis) {
     core.start_at_machine({});
     core.path.feed = 100.0;
     ChannelAxis& axis = rig.view.axes[rig.z];
-    axis.stroke.range1 = true, axis.stroke.a = {-60, 150};
+    axis.stroke.range1 = true;
+    axis.stroke.a = {-60, 150};
     rig.view.stroke.before_move = true;
     core.refresh_limits();
     AxisValues target = core.path.programmed;

@@ -1,4 +1,5 @@
-// Rigid taps: only the moves of the tap itself turn the spindle along (sinumerik part 2 10.11.1, nct part 1 15.6).
+// Rigid taps: only the moves of the tap itself turn the spindle along (sinumerik part 2 10.11.1,
+// nct part 1 15.6).
 #include <gtest/gtest.h>
 
 #include "core_rig.hpp"

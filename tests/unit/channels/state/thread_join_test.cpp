@@ -1,4 +1,5 @@
-// Threads in a row are one unless a stop is asked for between them; the strokes of a cycle's pass always are.
+// Threads in a row are one unless a stop is asked for between them; the strokes of a cycle's pass
+// always are.
 #include <gtest/gtest.h>
 
 #include "channels/cycles/simple_cycles.hpp"
@@ -14,11 +15,13 @@ struct Threader : CoreRig {
         core->path.spindle.turn = SpindleTurn::Cw;
         core->start_at_machine(to(20, 5));
     }
-    // Of the threads among the moves: does it go on from the one before, does it end with an exact stop.
+    // Of the threads among the moves: does it go on from the one before, does it end with an exact
+    // stop.
     std::vector<std::pair<bool, bool>> threads() const {
         std::vector<std::pair<bool, bool>> out;
         for (const Kept& kept : sink.moves())
-            if (kept.move.kind == MoveKind::Thread) out.emplace_back(kept.move.thread_chained, kept.move.exact_stop);
+            if (kept.move.kind == MoveKind::Thread)
+                out.emplace_back(kept.move.thread_chained, kept.move.exact_stop);
         return out;
     }
 };
@@ -34,7 +37,8 @@ TEST(ThreadJoin, AnExactStopBetweenTwoThreadsPartsThem) {
         call.lead = 2;
         ASSERT_TRUE(rig.core->thread(rig.to(20, -20), call));
         ASSERT_TRUE(rig.core->thread(rig.to(30, -40), call));
-        EXPECT_EQ(rig.threads(), exact ? (Joins{{false, true}, {false, true}}) : (Joins{{false, false}, {true, false}}));
+        EXPECT_EQ(rig.threads(), exact ? (Joins{{false, true}, {false, true}})
+                                       : (Joins{{false, false}, {true, false}}));
     }
 }
 

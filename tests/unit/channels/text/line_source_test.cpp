@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+
 #include "tests/property.hpp"
 
 namespace polyturn::channels {
@@ -18,8 +19,12 @@ std::vector<std::string> all_lines(LineSource& source) {
 }
 
 struct TempFile {
-    std::string path = (std::filesystem::temp_directory_path() / ("polyturn_line_source_" + std::to_string(::getpid()) + ".nc")).string();
-    explicit TempFile(const std::string& content) { std::ofstream(path, std::ios::binary) << content; }
+    std::string path = (std::filesystem::temp_directory_path() /
+                        ("polyturn_line_source_" + std::to_string(::getpid()) + ".nc"))
+                           .string();
+    explicit TempFile(const std::string& content) {
+        std::ofstream(path, std::ios::binary) << content;
+    }
     ~TempFile() { std::filesystem::remove(path); }
 };
 
@@ -37,7 +42,7 @@ TEST(LineSource, EndsLinesAtLfCrlfAndCr) {
         {"G0\rG1\r", {"G0", "G1"}},
         {"G0\n\nG1", {"G0", "", "G1"}},
         {"G0\r\rG1\n", {"G0", "", "G1"}},
-        {"\xEF\xBB\xBFG0\nG1", {"G0", "G1"}},   // byte order mark of UTF-8
+        {"\xEF\xBB\xBFG0\nG1", {"G0", "G1"}},  // byte order mark of UTF-8
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(std::string(row.text));
@@ -51,9 +56,12 @@ TEST(LineSource, RefusesWhatIsNoText) {
     LineSource source;
     EXPECT_EQ(source.open("/does/not/exist").diagnosis().alarm, Alarm::FileUnreadable);
     EXPECT_EQ(source.open("/tmp").diagnosis().alarm, Alarm::FileKind);
-    EXPECT_EQ(source.open_text(std::string_view("\xFF\xFEG\0", 4), "t").diagnosis().alarm, Alarm::FileUtf16);
-    EXPECT_EQ(source.open_text(std::string_view("G\0000\0", 4), "t").diagnosis().alarm, Alarm::FileUtf16);
-    EXPECT_EQ(source.open_text(std::string_view("G0 X1\nG1\0Z", 10), "t").diagnosis().alarm, Alarm::FileBinary);
+    EXPECT_EQ(source.open_text(std::string_view("\xFF\xFEG\0", 4), "t").diagnosis().alarm,
+              Alarm::FileUtf16);
+    EXPECT_EQ(source.open_text(std::string_view("G\0000\0", 4), "t").diagnosis().alarm,
+              Alarm::FileUtf16);
+    EXPECT_EQ(source.open_text(std::string_view("G0 X1\nG1\0Z", 10), "t").diagnosis().alarm,
+              Alarm::FileBinary);
 }
 
 TEST(LineSource, ALineLongerThanABlockCanBeIsToldNotKept) {
@@ -67,13 +75,16 @@ TEST(LineSource, ALineLongerThanABlockCanBeIsToldNotKept) {
 // The window moves; the lines and every position handed out stay right.
 TEST(LineSource, SeeksBackToEveryLineOfAFileLargerThanItsWindow) {
     std::string content;
-    for (int k = 0; content.size() < 3 * LineSource::kWindow; ++k) content += "N" + std::to_string(k) + " G1 X" + std::to_string(k % 100) + (k % 3 ? "\n" : "\r\n");
+    for (int k = 0; content.size() < 3 * LineSource::kWindow; ++k)
+        content +=
+            "N" + std::to_string(k) + " G1 X" + std::to_string(k % 100) + (k % 3 ? "\n" : "\r\n");
     const TempFile file(content);
     LineSource source;
     ASSERT_TRUE(source.open(file.path).ok());
     std::vector<std::pair<TextPosition, std::string>> seen;
     std::string_view line;
-    while (source.next(line) == LineSource::Status::Line) seen.emplace_back(source.position(), std::string(line));
+    while (source.next(line) == LineSource::Status::Line)
+        seen.emplace_back(source.position(), std::string(line));
     ASSERT_GT(seen.size(), 10000u);
     for (std::size_t k = 0; k < seen.size(); k += 997) {
         const auto& [position, text] = seen[seen.size() - 1 - k];
@@ -85,7 +96,8 @@ TEST(LineSource, SeeksBackToEveryLineOfAFileLargerThanItsWindow) {
 }
 
 PROPERTY(LineSource, LosesNoCharacterWhateverTheLineEnds, ()) {
-    const auto parts = *rc::gen::container<std::vector<std::string>>(rc::gen::container<std::string>(rc::gen::elementOf(std::string("GX1 .\n\r"))));
+    const auto parts = *rc::gen::container<std::vector<std::string>>(
+        rc::gen::container<std::string>(rc::gen::elementOf(std::string("GX1 .\n\r"))));
     std::string text, kept;
     for (const std::string& part : parts) text += part;
     for (const char c : text)

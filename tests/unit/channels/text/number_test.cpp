@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+
 #include "tests/property.hpp"
 
 namespace polyturn::channels {
@@ -51,10 +52,13 @@ PROPERTY(ScanNumber, AgreesWithTheLibrary, ()) {
     const auto digits = *rc::gen::inRange<std::int64_t>(0, 1'000'000'000'000'000);
     const int places = *rc::gen::inRange(0, 16);
     std::string text = std::to_string(digits);
-    if (static_cast<int>(text.size()) > places) text.insert(text.size() - static_cast<std::size_t>(places), ".");
-    else text.insert(0, ".");
+    if (static_cast<int>(text.size()) > places)
+        text.insert(text.size() - static_cast<std::size_t>(places), ".");
+    else
+        text.insert(0, ".");
     const char* at = text.data();
-    RC_ASSERT(scan_number(at, text.data() + text.size()).value == std::strtod(text.c_str(), nullptr));
+    RC_ASSERT(scan_number(at, text.data() + text.size()).value ==
+              std::strtod(text.c_str(), nullptr));
 }
 
 }  // namespace

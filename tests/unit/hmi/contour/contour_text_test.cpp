@@ -1,4 +1,5 @@
-// Descriptions in a program: read back as they were written, in each language; the blocks end where the contour ends.
+// Descriptions in a program: read back as they were written, in each language; the blocks end where
+// the contour ends.
 #include "hmi/contour/contour_text.hpp"
 
 #include <gtest/gtest.h>
@@ -13,11 +14,19 @@ using Language = Writing::Language;
 Description shaft() {
     Description out;
     out.contour.start = {0, 10};
-    out.first = 100, out.last = 200;
+    out.first = 100;
+    out.last = 200;
     Element line, arc, rise;
-    line.angle = 180, line.chamfer = 0;
-    arc.kind = Kind::ArcCw, arc.tangent = true, arc.radius = 8, arc.z = -30, arc.x = 16;
-    rise.x = 30.125, rise.angle = 120, rise.z = -30 - (30.125 - 16) / std::tan(60 * M_PI / 180);
+    line.angle = 180;
+    line.chamfer = 0;
+    arc.kind = Kind::ArcCw;
+    arc.tangent = true;
+    arc.radius = 8;
+    arc.z = -30;
+    arc.x = 16;
+    rise.x = 30.125;
+    rise.angle = 120;
+    rise.z = -30 - (30.125 - 16) / std::tan(60 * M_PI / 180);
     out.contour.elements = {line, arc, rise};
     return out;
 }
@@ -30,7 +39,8 @@ TEST(ContourText, IsReadBackInEachLanguage) {
             const Solved solved = solve(told.contour);
             ASSERT_TRUE(solved.complete());
             std::vector<std::string> lines{"before", "N5 G0"};
-            for (const std::string& line : write_contour(told, solved, writing)) lines.push_back(line);
+            for (const std::string& line : write_contour(told, solved, writing))
+                lines.push_back(line);
             lines.push_back("after");
             for (int at = 2; at < static_cast<int>(lines.size()) - 1; ++at) {
                 const Place place = find_contour(lines, at);
@@ -39,7 +49,8 @@ TEST(ContourText, IsReadBackInEachLanguage) {
                 EXPECT_TRUE(place.complete);
                 const auto read = read_contour(lines, place, writing);
                 ASSERT_TRUE(read);
-                EXPECT_EQ(write_contour(*read, solve(read->contour), writing), write_contour(told, solved, writing));
+                EXPECT_EQ(write_contour(*read, solve(read->contour), writing),
+                          write_contour(told, solved, writing));
             }
             EXPECT_LT(find_contour(lines, 1).to, find_contour(lines, 1).from);
             EXPECT_LT(find_contour(lines, static_cast<int>(lines.size()) - 1).to, 0);
@@ -66,7 +77,10 @@ TEST(ContourText, LargeArcsAreCutInParts) {
     Description told;
     told.contour.start = {0, 10};
     Element arc;
-    arc.kind = Kind::ArcCcw, arc.radius = 10, arc.angle = 90, arc.sweep = 300;
+    arc.kind = Kind::ArcCcw;
+    arc.radius = 10;
+    arc.angle = 90;
+    arc.sweep = 300;
     told.contour.elements = {arc};
     const Solved solved = solve(told.contour);
     ASSERT_TRUE(solved.complete());
@@ -76,7 +90,8 @@ TEST(ContourText, LargeArcsAreCutInParts) {
 }
 
 TEST(ContourText, WhatSomebodyHasBrokenIsNamed) {
-    std::vector<std::string> lines{"(CONTOUR DIA Z0 X20)", "(LINE A180 Q)", "(BLOCKS)", "(CONTOUR END)"};
+    std::vector<std::string> lines{"(CONTOUR DIA Z0 X20)", "(LINE A180 Q)", "(BLOCKS)",
+                                   "(CONTOUR END)"};
     int fault = -1;
     EXPECT_FALSE(read_contour(lines, find_contour(lines, 0), {}, &fault));
     EXPECT_EQ(fault, 1);

@@ -2,15 +2,20 @@
 #include <gtest/gtest.h>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/diagnosis/tongue.hpp"
+#include "ipc/diagnosis/display_language.hpp"
 
 namespace polyturn {
 namespace {
 
-// The second and third line of what is printed: the source line behind "| ", and the column of the mark in it.
-struct Printed { std::string line; std::size_t mark; };
+// The second and third line of what is printed: the source line behind "| ", and the column of the
+// mark in it.
+struct Printed {
+    std::string line;
+    std::size_t mark;
+};
 Printed printed(std::uint32_t column, std::uint32_t length, std::string_view source) {
-    const std::string text = render({Alarm::AddressIllegal, {"a.nc", 3, column, length}, {}, "X"}, Dialect::Fanuc, source);
+    const std::string text = render({Alarm::AddressIllegal, {"a.nc", 3, column, length}, {}, "X"},
+                                    Dialect::Fanuc, source);
     const std::size_t first = text.find('\n') + 1, second = text.find('\n', first) + 1;
     return {text.substr(first + 8, second - first - 9), text.find('^', second) - second - 8};
 }
@@ -30,12 +35,14 @@ TEST(Diagnosis, OfALineThatFillsScreensShowsWhatStandsAroundTheWord) {
     EXPECT_LE(there.line.size(), 240u);
     ASSERT_LT(there.mark, there.line.size());
     EXPECT_EQ(there.line.substr(there.mark, 3), "G99");
-    EXPECT_EQ(there.line.substr(0, 2), e_acute);   // no half letters
+    EXPECT_EQ(there.line.substr(0, 2), e_acute);  // no half letters
     EXPECT_LE(printed(0, 0, line).line.size(), 240u);
 }
 
 TEST(Diagnosis, WritesItsFiguresAsPeopleDo) {
-    const auto says = [](double value) { return text_in({Alarm::GotoNumberIllegal, {}, {value, 0}, {}}, Tongue::English); };
+    const auto says = [](double value) {
+        return text_in({Alarm::GotoNumberIllegal, {}, {value, 0}, {}}, DisplayLanguage::English);
+    };
     EXPECT_EQ(says(9000001), "block number 9000001 cannot be a jump target");
     EXPECT_EQ(says(-123456789012), "block number -123456789012 cannot be a jump target");
     EXPECT_EQ(says(-0.0), "block number 0 cannot be a jump target");

@@ -13,7 +13,10 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const Dialect kDialects[] = {{kFanucA, true, 0.001}, {kFanucA, false, 0.001}, {kFanucB, true, 0.0001}, {kSeries15A, true, 0.001}, {kSeries15B, true, 0.001}, {kNct, true, 0.001}, {kNct, false, 0.001}, {kFagor, false, 0.0001}, {kSinumerik, false, 0.001}};
+const Dialect kDialects[] = {
+    {kFanucA, true, 0.001},    {kFanucA, false, 0.001},   {kFanucB, true, 0.0001},
+    {kSeries15A, true, 0.001}, {kSeries15B, true, 0.001}, {kNct, true, 0.001},
+    {kNct, false, 0.001},      {kFagor, false, 0.0001},   {kSinumerik, false, 0.001}};
 
 std::vector<const Form*> forms_of(const Dialect& dialect) {
     std::vector<const Form*> out;
@@ -28,7 +31,9 @@ Value random_value(const Field& field, const Dialect& dialect) {
     const double step = std::pow(10.0, -decimals_of(field, dialect));
     const double low = std::max(field.low, -2000.0), high = std::min(field.high, 2000.0);
     value.set = true;
-    value.number = *rc::gen::inRange<long>(std::lround(std::ceil(low / step - 1e-9)), std::lround(std::floor(high / step + 1e-9)) + 1) * step;
+    value.number = *rc::gen::inRange<long>(std::lround(std::ceil(low / step - 1e-9)),
+                                           std::lround(std::floor(high / step + 1e-9)) + 1) *
+                   step;
     return value;
 }
 
@@ -46,7 +51,8 @@ PROPERTY(CycleForms, WhatIsWrittenIsReadBack, ()) {
     const auto forms = forms_of(dialect);
     const Form& form = *forms[*rc::gen::inRange<std::size_t>(0, forms.size())];
     CycleBlock cycle = new_cycle(form);
-    for (std::size_t i = 0; i < cycle.values.size(); ++i) cycle.values[i] = random_value(form.fields[i], dialect);
+    for (std::size_t i = 0; i < cycle.values.size(); ++i)
+        cycle.values[i] = random_value(form.fields[i], dialect);
     RC_ASSERT(is_good(check_cycle(cycle)));
     const Lines before{"G0 X60. Z2.", "M8", "M30"};
     Lines lines = before;
@@ -65,9 +71,15 @@ PROPERTY(CycleForms, WhatIsWrittenIsReadBack, ()) {
     for (int block : {0, 1})
         if (found->line[block] >= 0) {
             std::string& line = commented[static_cast<std::size_t>(found->line[block])];
-            line = "N70 " + line + (dialect.speaks == kFagor || form.is_call() ? " ;why so" : dialect.speaks == kSinumerik ? " M8 ;why so" : " M8 (why so)");
+            line = "N70 " + line +
+                   (dialect.speaks == kFagor || form.is_call() ? " ;why so"
+                    : dialect.speaks == kSinumerik             ? " M8 ;why so"
+                                                               : " M8 (why so)");
         }
-    const auto again = read_cycle(commented, found->line[form.fields[i].block] >= 0 ? found->line[form.fields[i].block] : found->line[1], dialect);
+    const auto again = read_cycle(
+        commented,
+        found->line[form.fields[i].block] >= 0 ? found->line[form.fields[i].block] : found->line[1],
+        dialect);
     RC_ASSERT(again.has_value());
     expect_same(*again, cycle);
     CycleBlock changed = *again;
@@ -78,8 +90,11 @@ PROPERTY(CycleForms, WhatIsWrittenIsReadBack, ()) {
     RC_ASSERT(changes.size() <= 1u);
     apply_changes(after, changes);
     if (changes.empty() || changes[0].inserts) return;
-    const Notation notation = dialect.speaks == kFagor ? Notation::Fagor : dialect.speaks == kSinumerik ? Notation::Sinumerik : Notation::Family;
-    const BlockText was(commented[static_cast<std::size_t>(changes[0].at)], notation), is(changes[0].text, notation);
+    const Notation notation = dialect.speaks == kFagor       ? Notation::Fagor
+                              : dialect.speaks == kSinumerik ? Notation::Sinumerik
+                                                             : Notation::Family;
+    const BlockText was(commented[static_cast<std::size_t>(changes[0].at)], notation),
+        is(changes[0].text, notation);
     RC_ASSERT(is.line().substr(0, 4) == "N70 ");
     RC_ASSERT(is.line().find("why so") != std::string::npos);
     for (const TextWord& word : was.words())
@@ -93,7 +108,8 @@ PROPERTY(CycleForms, WhatIsWrittenIsReadBack, ()) {
 }
 
 TEST(CycleForms, BothBlocksOpenTheSameForm) {
-    const Lines lines{"G0 X62. Z2.", "N5 G71 U2. R0.5 (roughing)", "", "(contour below)", "G71P100Q200U.4W0.1F.25S150", "N100 G0 X20."};
+    const Lines lines{"G0 X62. Z2.",     "N5 G71 U2. R0.5 (roughing)", "",
+                      "(contour below)", "G71P100Q200U.4W0.1F.25S150", "N100 G0 X20."};
     const Dialect dialect{kFanucA, true, 0.001};
     for (const int at : {1, 4}) {
         const auto cycle = read_cycle(lines, at, dialect);
@@ -107,7 +123,8 @@ TEST(CycleForms, BothBlocksOpenTheSameForm) {
     EXPECT_FALSE(read_cycle(lines, 3, dialect));
     auto now = *read_cycle(lines, 4, dialect);
     const auto before = now;
-    now.values[4].number = 0.6, now.values[5].set = false;
+    now.values[4].number = 0.6;
+    now.values[5].set = false;
     Lines after = lines;
     apply_changes(after, write_cycle(lines, before, now, 0, dialect));
     EXPECT_EQ(after[4], "G71P100Q200U0.6F.25S150");
@@ -127,7 +144,9 @@ TEST(CycleForms, ExpressionsAndIncrementsStay) {
     Lines after = lines;
     apply_changes(after, write_cycle(lines, *cycle, now, 0, dialect));
     EXPECT_EQ(after[0], "G90 U-5. Z[#100*2+1] F#3 (one pass)");
-    now.values[0].address.clear(), now.values[0].number = 36;   // the end point instead of the way
+    // the end point instead of the way
+    now.values[0].address.clear();
+    now.values[0].number = 36;
     after = lines;
     apply_changes(after, write_cycle(lines, *cycle, now, 0, dialect));
     EXPECT_EQ(after[0], "G90 Z[#100*2+1] F#3 X36. (one pass)");
@@ -139,7 +158,8 @@ TEST(CycleForms, CountsWithoutAPointAreRead) {
     const auto cycle = read_cycle(lines, 0, dialect);
     ASSERT_TRUE(cycle);
     const double expected[] = {2, 10, 60, 0.05, 0.02, 17.55, -20, 0, 1.227, 0.3, 2};
-    for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_NEAR(cycle->values[i].number, expected[i], 1e-9) << i;
+    for (std::size_t i = 0; i < std::size(expected); ++i)
+        EXPECT_NEAR(cycle->values[i].number, expected[i], 1e-9) << i;
     CycleBlock now = *cycle;
     now.values[1].number = 5;
     EXPECT_EQ(write_cycle(lines, *cycle, now, 0, dialect)[0].text, "G76 P020560 Q50 R20");
@@ -147,9 +167,11 @@ TEST(CycleForms, CountsWithoutAPointAreRead) {
 
 TEST(CycleForms, FaultsStandAtTheirFields) {
     const Dialect dialect{kNct, true, 0.001};
-    CycleBlock cycle = new_cycle(*forms_of(dialect)[0]);   // G71
+    CycleBlock cycle = new_cycle(*forms_of(dialect)[0]);  // G71
     EXPECT_TRUE(is_good(check_cycle(cycle)));
-    cycle.values[0].number = -1, cycle.values[2].set = false, cycle.values[3].number = 20.5;
+    cycle.values[0].number = -1;
+    cycle.values[2].set = false;
+    cycle.values[3].number = 20.5;
     const auto faults = check_cycle(cycle);
     EXPECT_EQ(faults[0].kind, FieldFault::TooSmall);
     EXPECT_EQ(faults[2].kind, FieldFault::Missing);
@@ -175,13 +197,16 @@ TEST(CycleForms, FagorValuesMayBeParameters) {
     EXPECT_EQ(cycle->values[4].expression, "P5");
     CycleBlock now = *cycle;
     now.values[4] = {true, 2.5, {}, {}};
-    EXPECT_EQ(write_cycle(lines, *cycle, now, 0, dialect)[0].text, "N0070 G81 X20 Z0 Q40 R-30 C 2.5 D1 L0.5 ;section");
+    EXPECT_EQ(write_cycle(lines, *cycle, now, 0, dialect)[0].text,
+              "N0070 G81 X20 Z0 Q40 R-30 C 2.5 D1 L0.5 ;section");
 }
 
-// sinumerik_part2 10.10.1: K makes a thread along Z, I one in the face; SF is a word of two letters.
+// sinumerik_part2 10.10.1: K makes a thread along Z, I one in the face; SF is a word of two
+// letters.
 TEST(CycleForms, SinumerikThreadsAreChosenByTheirLead) {
     const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
-    const Lines lines{"N10 G33 Z=R1+2 K2 SF=180 LFON ;second start", "G33X20I1.5", "G33 X40 Z-30 I3"};
+    const Lines lines{"N10 G33 Z=R1+2 K2 SF=180 LFON ;second start", "G33X20I1.5",
+                      "G33 X40 Z-30 I3"};
     const auto along = read_cycle(lines, 0, dialect);
     ASSERT_TRUE(along);
     const auto value = [](const CycleBlock& cycle, std::string_view address) {
@@ -198,7 +223,8 @@ TEST(CycleForms, SinumerikThreadsAreChosenByTheirLead) {
         if (now.form->fields[i].address == "Z") now.values[i] = {true, -35, {}, {}};
         if (now.form->fields[i].address == "DITE") now.values[i] = {true, 3, {}, {}};
     }
-    EXPECT_EQ(write_cycle(lines, *along, now, 0, dialect)[0].text, "N10 G33 Z=-35 K2 SF=90 LFON DITE=3 ;second start");
+    EXPECT_EQ(write_cycle(lines, *along, now, 0, dialect)[0].text,
+              "N10 G33 Z=-35 K2 SF=90 LFON DITE=3 ;second start");
     for (const int at : {1, 2}) {
         const auto face = read_cycle(lines, at, dialect);
         ASSERT_TRUE(face) << at;
@@ -221,38 +247,47 @@ TEST(CycleForms, SinumerikTapsHaveTheirSpeedInABlockOfItsOwn) {
     }
     Lines fresh{"M30"};
     each_form(dialect, [&](const Form& form) {
-        if (form.code == "G331" && form.picture == Picture::TapFace) apply_changes(fresh, write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}}, new_cycle(form), 0, dialect));
+        if (form.code == "G331" && form.picture == Picture::TapFace)
+            apply_changes(fresh, write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}},
+                                             new_cycle(form), 0, dialect));
     });
     EXPECT_EQ(fresh, (Lines{"G331 S500", "G331 Z-15 K1.5", "M30"}));
 }
 
-// The arguments of a call are told by their place; an empty one stays empty, at the end it is not written.
+// The arguments of a call are told by their place; an empty one stays empty, at the end it is not
+// written.
 TEST(CycleForms, SinumerikCallsHaveTheirValuesInBrackets) {
     const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
-    const Lines lines{"N10 mcall Cycle82 ( 10,0 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so", "CYCLE85(10,0,,-20,,,80)"};
+    const Lines lines{"N10 mcall Cycle82 ( 10,0 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so",
+                      "CYCLE85(10,0,,-20,,,80)"};
     const auto deep = read_cycle(lines, 0, dialect);
     ASSERT_TRUE(deep);
     EXPECT_EQ(deep->form->code, "MCALL CYCLE82");
     const double expected[] = {10, 0, 2, -20};
-    for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_DOUBLE_EQ(deep->values[i].number, expected[i]) << i;
+    for (std::size_t i = 0; i < std::size(expected); ++i)
+        EXPECT_DOUBLE_EQ(deep->values[i].number, expected[i]) << i;
     EXPECT_FALSE(deep->values[4].set);
     EXPECT_EQ(deep->values[5].expression, "R1 * (2 + R[3,1])");
-    const auto changed = [&](const CycleBlock& before, const std::vector<std::pair<std::size_t, Value>>& values) {
+    const auto changed = [&](const CycleBlock& before,
+                             const std::vector<std::pair<std::size_t, Value>>& values) {
         CycleBlock now = before;
         for (const auto& [i, value] : values) now.values[i] = value;
         const auto changes = write_cycle(lines, before, now, 0, dialect);
         return changes.size() == 1 ? changes[0].text : std::string("none");
     };
     const Value none;
-    EXPECT_EQ(changed(*deep, {{1, {true, -2.5, {}, {}}}}), "N10 mcall Cycle82 ( 10,-2.5 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so");
-    EXPECT_EQ(changed(*deep, {{3, none}, {4, {true, 15, {}, {}}}}), "N10 mcall Cycle82 ( 10,0 , 2, , 15, R1 * (2 + R[3,1]) ) ;why so");
+    EXPECT_EQ(changed(*deep, {{1, {true, -2.5, {}, {}}}}),
+              "N10 mcall Cycle82 ( 10,-2.5 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so");
+    EXPECT_EQ(changed(*deep, {{3, none}, {4, {true, 15, {}, {}}}}),
+              "N10 mcall Cycle82 ( 10,0 , 2, , 15, R1 * (2 + R[3,1]) ) ;why so");
     EXPECT_EQ(changed(*deep, {{5, none}}), "N10 mcall Cycle82 ( 10,0 , 2, -20) ;why so");
     const auto ream = read_cycle(lines, 1, dialect);
     ASSERT_TRUE(ream);
     EXPECT_EQ(ream->form->code, "CYCLE85");
     EXPECT_FALSE(ream->values[2].set || ream->values[5].set || ream->values[7].set);
     EXPECT_DOUBLE_EQ(ream->values[6].number, 80);
-    EXPECT_EQ(changed(*ream, {{2, {true, 1, {}, {}}}, {7, {true, 200, {}, {}}}}), "CYCLE85(10,0,1,-20,,,80,200)");
+    EXPECT_EQ(changed(*ream, {{2, {true, 1, {}, {}}}, {7, {true, 200, {}, {}}}}),
+              "CYCLE85(10,0,1,-20,,,80,200)");
     EXPECT_EQ(changed(*ream, {{6, none}}), "CYCLE85(10,0,,-20)");
 }
 
@@ -260,10 +295,15 @@ TEST(CycleForms, SinumerikCallsAreProposedAsOneWritesThem) {
     const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
     Lines fresh;
     each_form(dialect, [&](const Form& form) {
-        if (form.is_call()) apply_changes(fresh, write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}}, new_cycle(form), static_cast<int>(fresh.size()), dialect));
+        if (form.is_call())
+            apply_changes(fresh,
+                          write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}}, new_cycle(form),
+                                      static_cast<int>(fresh.size()), dialect));
     });
-    EXPECT_EQ(fresh, (Lines{"CYCLE81(10, 0, 2, -15)", "CYCLE82(10, 0, 2, -15, , 0.5)", "CYCLE85(10, 0, 2, -15)", "MCALL CYCLE81(10, 0, 2, -15)", "MCALL CYCLE82(10, 0, 2, -15, , 0.5)",
-                            "MCALL CYCLE85(10, 0, 2, -15)", "HOLES1(0, 0, 0, 10, 8, 3)", "HOLES2(0, 0, 20, 0, 0, 6)"}));
+    EXPECT_EQ(fresh, (Lines{"CYCLE81(10, 0, 2, -15)", "CYCLE82(10, 0, 2, -15, , 0.5)",
+                            "CYCLE85(10, 0, 2, -15)", "MCALL CYCLE81(10, 0, 2, -15)",
+                            "MCALL CYCLE82(10, 0, 2, -15, , 0.5)", "MCALL CYCLE85(10, 0, 2, -15)",
+                            "HOLES1(0, 0, 0, 10, 8, 3)", "HOLES2(0, 0, 20, 0, 0, 6)"}));
 }
 
 // DP or DPR: one of them is needed (CYCLE81).
@@ -282,8 +322,11 @@ TEST(CycleForms, NoFormTouchesASinumerikStatementOrASplitValue) {
     EXPECT_FALSE(read_cycle({"G33 Z-20 K2EX1"}, 0, dialect));
     EXPECT_FALSE(read_cycle({"START: G33 Z-20 K2"}, 0, dialect));
     EXPECT_FALSE(read_cycle({"MSG(\"G33 Z-20 K2\")"}, 0, dialect));
-    for (const char* call : {"CYCLE83(10, 0, 2, -15)", "G0 CYCLE81(10, 0, 2, -15)", "CYCLE81(10, 0, 2, -15) M8", "CYCLE81(10, 0, 2, -15", "CYCLE81(10, 0, 2, -15 ;)", "CYCLE81(10, (0, 2), \"-15\")",
-                             "IF (R1 == 2) CYCLE81(10, 0, 2, -15)", "CYCLE81[10, 0, 2, -15]", "CYCLE81(10, 0, 2, -15]", ";CYCLE81(10, 0, 2, -15)", "CYCLE81 10", "CYCLE81", "MCALL"})
+    for (const char* call :
+         {"CYCLE83(10, 0, 2, -15)", "G0 CYCLE81(10, 0, 2, -15)", "CYCLE81(10, 0, 2, -15) M8",
+          "CYCLE81(10, 0, 2, -15", "CYCLE81(10, 0, 2, -15 ;)", "CYCLE81(10, (0, 2), \"-15\")",
+          "IF (R1 == 2) CYCLE81(10, 0, 2, -15)", "CYCLE81[10, 0, 2, -15]", "CYCLE81(10, 0, 2, -15]",
+          ";CYCLE81(10, 0, 2, -15)", "CYCLE81 10", "CYCLE81", "MCALL"})
         EXPECT_FALSE(read_cycle({call}, 0, dialect)) << call;
     EXPECT_FALSE(read_cycle({"IF R1 == 2 G33 Z-20 K2"}, 0, dialect));
     EXPECT_TRUE(read_cycle({"/1 N20 G33 Z=IC(-20) K2 F0.2 DIAMON"}, 0, dialect));

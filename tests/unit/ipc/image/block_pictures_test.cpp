@@ -1,10 +1,12 @@
-// Which picture holds at a block: against a plain list, with programs that are taken back and with more changes than are kept.
+// Which picture holds at a block: against a plain list, with programs that are taken back and with
+// more changes than are kept.
 #include "ipc/image/block_pictures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
+
 #include "tests/property.hpp"
 
 namespace polyturn {
@@ -32,8 +34,9 @@ TEST(BlockPictures, TheNewestUpToTheBlockHolds) {
 
 TEST(BlockPictures, AProgramThatWasTakenBackIsReadAnew) {
     auto channel = std::make_unique<ChannelSegment>();
-    for (const double serial : {10.0, 20.0, 30.0}) push_picture(*channel, picture(static_cast<std::uint64_t>(serial), serial));
-    push_picture(*channel, picture(15, 1.5));   // taken back to 15: 20 and 30 were void
+    for (const double serial : {10.0, 20.0, 30.0})
+        push_picture(*channel, picture(static_cast<std::uint64_t>(serial), serial));
+    push_picture(*channel, picture(15, 1.5));  // taken back to 15: 20 and 30 were void
     BlockPicture found{};
     ASSERT_TRUE(find_picture(*channel, 22, found));
     EXPECT_EQ(found.feed, 1.5);
@@ -56,7 +59,8 @@ PROPERTY(BlockPictures, AgreesWithAPlainList, ()) {
     const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(-3, 6));
     std::uint64_t serial = 10;
     for (const int step : steps) {
-        serial = static_cast<std::uint64_t>(std::max<std::int64_t>(1, static_cast<std::int64_t>(serial) + step));
+        serial = static_cast<std::uint64_t>(
+            std::max<std::int64_t>(1, static_cast<std::int64_t>(serial) + step));
         model.push_back(picture(serial, static_cast<double>(model.size())));
         push_picture(*channel, model.back());
     }
@@ -69,7 +73,8 @@ PROPERTY(BlockPictures, AgreesWithAPlainList, ()) {
     if (expected) RC_ASSERT(found.feed == expected->feed);
 }
 
-// A loop of G0 and G1 in turn: each record that waits in the ring has a picture of its own, and some blocks have no record.
+// A loop of G0 and G1 in turn: each record that waits in the ring has a picture of its own, and
+// some blocks have no record.
 TEST(BlockPictures, AllBlocksThatAChannelIsAheadAreKnown) {
     auto channel = std::make_unique<ChannelSegment>();
     BlockPicture found;
@@ -85,14 +90,16 @@ TEST(BlockPictures, AllBlocksThatAChannelIsAheadAreKnown) {
 TEST(BlockPictures, WhatIsNotFoundLeavesTheLastOneAsItWas) {
     auto channel = std::make_unique<ChannelSegment>();
     BlockPicture found = picture(3, 0.3);
-    for (std::uint64_t i = 10; i <= 2 * kPictures; ++i) push_picture(*channel, picture(i, static_cast<double>(i)));
+    for (std::uint64_t i = 10; i <= 2 * kPictures; ++i)
+        push_picture(*channel, picture(i, static_cast<double>(i)));
     EXPECT_FALSE(find_picture(*channel, 12, found));
     EXPECT_EQ(found.feed, 0.3);
 }
 
 TEST(BlockPictures, WhatWasWrittenOverIsNotToldAsIfItHeld) {
     auto channel = std::make_unique<ChannelSegment>();
-    for (std::uint64_t i = 1; i <= 2 * kPictures; ++i) push_picture(*channel, picture(i, static_cast<double>(i)));
+    for (std::uint64_t i = 1; i <= 2 * kPictures; ++i)
+        push_picture(*channel, picture(i, static_cast<double>(i)));
     BlockPicture found{};
     EXPECT_FALSE(find_picture(*channel, kPictures / 2, found));
     ASSERT_TRUE(find_picture(*channel, 2 * kPictures - 5, found));

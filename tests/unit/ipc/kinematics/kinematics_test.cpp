@@ -17,7 +17,9 @@ constexpr double kPi = std::numbers::pi;
 
 struct Dice {
     std::mt19937_64 engine{test_seed(20260117)};
-    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine);
+    }
 };
 
 Kinematics plain(KinematicsKind kind) {
@@ -32,25 +34,38 @@ Kinematics random_one(KinematicsKind kind, Dice& dice) {
     Kinematics k = plain(kind);
     for (std::size_t i = 0; i < kMaxRoles; ++i) k.centre[i] = dice.between(-50, 50);
     switch (kind) {
-        case KinematicsKind::Polar: k.value[0] = dice.between(-2, 2), k.value[1] = dice.between(-1, 1) < 0 ? -1 : 1; break;
-        case KinematicsKind::Cylinder: k.value[0] = dice.between(1, 100); break;
-        case KinematicsKind::Inclined: k.value[0] = dice.between(-1, 1); break;
+        case KinematicsKind::Polar:
+            k.value[0] = dice.between(-2, 2);
+            k.value[1] = dice.between(-1, 1) < 0 ? -1 : 1;
+            break;
+        case KinematicsKind::Cylinder:
+            k.value[0] = dice.between(1, 100);
+            break;
+        case KinematicsKind::Inclined:
+            k.value[0] = dice.between(-1, 1);
+            break;
         case KinematicsKind::FiveAxis:
             for (const std::size_t at : {five_axis::kFirstDirection, five_axis::kSecondDirection}) {
                 double length = 0;
-                for (std::size_t i = 0; i < 3; ++i) k.value[at + i] = dice.between(-1, 1), length += k.value[at + i] * k.value[at + i];
+                for (std::size_t i = 0; i < 3; ++i) {
+                    k.value[at + i] = dice.between(-1, 1);
+                    length += k.value[at + i] * k.value[at + i];
+                }
                 for (std::size_t i = 0; i < 3; ++i) k.value[at + i] /= std::sqrt(length);
             }
-            for (std::size_t i = five_axis::kFirstPoint; i < five_axis::kFirstIsHead; ++i) k.value[i] = dice.between(-100, 100);
+            for (std::size_t i = five_axis::kFirstPoint; i < five_axis::kFirstIsHead; ++i)
+                k.value[i] = dice.between(-100, 100);
             k.value[five_axis::kFirstIsHead] = dice.between(0, 1) < 0.5;
             k.value[five_axis::kSecondIsHead] = dice.between(0, 1) < 0.5;
             break;
-        case KinematicsKind::None: break;
+        case KinematicsKind::None:
+            break;
     }
     return k;
 }
 
-constexpr KinematicsKind kKinds[] = {KinematicsKind::Polar, KinematicsKind::Cylinder, KinematicsKind::Inclined, KinematicsKind::FiveAxis};
+constexpr KinematicsKind kKinds[] = {KinematicsKind::Polar, KinematicsKind::Cylinder,
+                                     KinematicsKind::Inclined, KinematicsKind::FiveAxis};
 
 TEST(Kinematics, LeadsBackToWhereItCameFrom) {
     Dice dice;
@@ -59,9 +74,11 @@ TEST(Kinematics, LeadsBackToWhereItCameFrom) {
         RoleValues axes{}, path{}, again{};
         for (double& a : axes) a = dice.between(-400, 400);
         to_path(k, axes, path);
-        const Branch branch{axes[1], axes[0] < k.centre[0] ? SideOfPole::Negative : SideOfPole::Positive};
+        const Branch branch{axes[1],
+                            axes[0] < k.centre[0] ? SideOfPole::Negative : SideOfPole::Positive};
         ASSERT_TRUE(to_axes(k, branch, path, again));
-        for (std::size_t i = 0; i < role_count(kind_of(k)); ++i) ASSERT_NEAR(again[i], axes[i], 1e-7) << n << " role " << i;
+        for (std::size_t i = 0; i < role_count(kind_of(k)); ++i)
+            ASSERT_NEAR(again[i], axes[i], 1e-7) << n << " role " << i;
     }
 }
 
@@ -70,13 +87,16 @@ TEST(Kinematics, DerivativesAreThoseOfFiniteDifferences) {
     for (int n = 0; n < 4000; ++n) {
         const Kinematics k = random_one(kKinds[n % 4], dice);
         RoleJets path, axes;
-        for (std::size_t i = 0; i < kMaxRoles; ++i) path[i] = Jet(dice.between(-80, 80), dice.between(-1, 1), dice.between(-0.1, 0.1), dice.between(-0.02, 0.02));
+        for (std::size_t i = 0; i < kMaxRoles; ++i)
+            path[i] = Jet(dice.between(-80, 80), dice.between(-1, 1), dice.between(-0.1, 0.1),
+                          dice.between(-0.02, 0.02));
         RoleValues here;
         for (std::size_t i = 0; i < kMaxRoles; ++i) here[i] = path[i].value();
         if (reach(k, here) < 5) continue;
         const auto at = [&](double h) {
             RoleValues p, a{};
-            for (std::size_t i = 0; i < kMaxRoles; ++i) p[i] = path[i].c[0] + h * (path[i].c[1] + h * (path[i].c[2] + h * path[i].c[3]));
+            for (std::size_t i = 0; i < kMaxRoles; ++i)
+                p[i] = path[i].c[0] + h * (path[i].c[1] + h * (path[i].c[2] + h * path[i].c[3]));
             EXPECT_TRUE(to_axes(k, {path[1].value(), SideOfPole::Positive}, p, a));
             return a;
         };
@@ -85,9 +105,14 @@ TEST(Kinematics, DerivativesAreThoseOfFiniteDifferences) {
         const RoleValues a0 = at(-2 * h), a1 = at(-h), a2 = at(0), a3 = at(h), a4 = at(2 * h);
         for (std::size_t i = 0; i < role_count(kind_of(k)); ++i) {
             ASSERT_NEAR(axes[i].value(), a2[i], 1e-9);
-            ASSERT_NEAR(axes[i].first(), (a0[i] - 8 * a1[i] + 8 * a3[i] - a4[i]) / (12 * h), 1e-5) << n << " role " << i;
-            ASSERT_NEAR(axes[i].second(), (a1[i] - 2 * a2[i] + a3[i]) / (h * h), 1e-3 * (1 + std::abs(axes[i].second()))) << n;
-            ASSERT_NEAR(axes[i].third(), (a4[i] - 2 * a3[i] + 2 * a1[i] - a0[i]) / (2 * h * h * h), 2e-2 * (1 + std::abs(axes[i].third()))) << n;
+            ASSERT_NEAR(axes[i].first(), (a0[i] - 8 * a1[i] + 8 * a3[i] - a4[i]) / (12 * h), 1e-5)
+                << n << " role " << i;
+            ASSERT_NEAR(axes[i].second(), (a1[i] - 2 * a2[i] + a3[i]) / (h * h),
+                        1e-3 * (1 + std::abs(axes[i].second())))
+                << n;
+            ASSERT_NEAR(axes[i].third(), (a4[i] - 2 * a3[i] + 2 * a1[i] - a0[i]) / (2 * h * h * h),
+                        2e-2 * (1 + std::abs(axes[i].third())))
+                << n;
         }
     }
 }
@@ -107,9 +132,12 @@ TEST(PolarPlane, GoesThroughThePoleWithTheRotaryAxisAtRest) {
     const Kinematics k = plain(KinematicsKind::Polar);
     PathRecord r{};
     r.kind = static_cast<std::uint8_t>(RecordKind::Line);
-    r.axis_count = 2, r.axis = {0, 1};
-    r.start = {3, 4}, r.end = {-3, -4};
-    r.length = 10, r.transform = 1;
+    r.axis_count = 2;
+    r.axis = {0, 1};
+    r.start = {3, 4};
+    r.end = {-3, -4};
+    r.length = 10;
+    r.transform = 1;
     r.side = static_cast<std::uint8_t>(SideOfPole::Through);
     r.turn = std::atan2(4, 3) * 180 / kPi + 720;
     SlotVector drives;
@@ -124,12 +152,14 @@ TEST(PolarPlane, CountsTurnsOfAnArcAboutThePole) {
     Dice dice;
     for (int n = 0; n < 1000; ++n) {
         const PlanePoint c{dice.between(-10, 10), dice.between(-10, 10)};
-        const double radius = dice.between(0.1, 20), start = dice.between(-kPi, kPi), sweep = dice.between(-20, 20);
+        const double radius = dice.between(0.1, 20), start = dice.between(-kPi, kPi),
+                     sweep = dice.between(-20, 20);
         const double clear = arc_to_pole(c, radius, start, sweep);
         double least = 1e9, turned = 0, before = 0;
         constexpr int kSteps = 4000;
         for (int i = 0; i <= kSteps; ++i) {
-            const double a = start + sweep * i / kSteps, u = c.u + radius * std::cos(a), v = c.v + radius * std::sin(a);
+            const double a = start + sweep * i / kSteps, u = c.u + radius * std::cos(a),
+                         v = c.v + radius * std::sin(a);
             const double now = std::atan2(v, u);
             least = std::min(least, std::hypot(u, v));
             if (i > 0) turned += std::remainder(now - before, 2 * kPi);
@@ -143,10 +173,17 @@ TEST(PolarPlane, CountsTurnsOfAnArcAboutThePole) {
 
 TEST(Route, StandsBehindTheTransformation) {
     Kinematics k = plain(KinematicsKind::Cylinder);
-    k.value[0] = 180 / kPi, k.sign[0] = -1, k.shift[0] = 30;   // a millimetre is a degree
+    // a millimetre is a degree
+    k.value[0] = 180 / kPi;
+    k.sign[0] = -1;
+    k.shift[0] = 30;
     PathRecord r{};
     r.kind = static_cast<std::uint8_t>(RecordKind::Line);
-    r.axis_count = 1, r.start = {0}, r.end = {10}, r.length = 10, r.transform = 1;
+    r.axis_count = 1;
+    r.start = {0};
+    r.end = {10};
+    r.length = 10;
+    r.transform = 1;
     SlotVector drives;
     PathDerivatives d;
     ASSERT_TRUE(drives_at(r, &k, 4, drives) && drive_derivatives_at(r, &k, 4, d));
@@ -155,7 +192,8 @@ TEST(Route, StandsBehindTheTransformation) {
     EXPECT_NEAR(unrouted(k, 0, drives[0]), 4, 1e-12);
 }
 
-// A table about Z at the origin: with C at 90 degrees the workpiece's X points along the machine's Y.
+// A table about Z at the origin: with C at 90 degrees the workpiece's X points along the machine's
+// Y.
 TEST(FiveAxis, KeepsTheTipOnTheTurnedWorkpiece) {
     Kinematics k = plain(KinematicsKind::FiveAxis);
     k.value[five_axis::kSecondDirection + 2] = 1;
@@ -164,9 +202,12 @@ TEST(FiveAxis, KeepsTheTipOnTheTurnedWorkpiece) {
     EXPECT_NEAR(axes[0], 0, 1e-12);
     EXPECT_NEAR(axes[1], 10, 1e-12);
     EXPECT_NEAR(axes[2], 5, 1e-12);
-    // A head about Y with 100 mm from pivot to tip: at 90 degrees the tip lies beside the pivot, so the axes go the other way.
+    // A head about Y with 100 mm from pivot to tip: at 90 degrees the tip lies beside the pivot, so
+    // the axes go the other way.
     k = plain(KinematicsKind::FiveAxis);
-    k.value[five_axis::kFirstDirection + 1] = 1, k.value[five_axis::kFirstIsHead] = 1, k.value[five_axis::kFirstPoint + 2] = -100;
+    k.value[five_axis::kFirstDirection + 1] = 1;
+    k.value[five_axis::kFirstIsHead] = 1;
+    k.value[five_axis::kFirstPoint + 2] = -100;
     ASSERT_TRUE(to_axes(k, {}, {0, 0, 0, 90, 0}, axes));
     EXPECT_NEAR(axes[0], 100, 1e-9);
     EXPECT_NEAR(axes[2], -100, 1e-9);

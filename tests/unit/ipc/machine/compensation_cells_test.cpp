@@ -1,12 +1,12 @@
 // Cells that a program enters: the file keeps everything else.
-#include "ipc/machine/compensation_cells.hpp"
+#include "ipc/machine/errors/compensation_cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/errors/compensation_tables.hpp"
 
 namespace polyturn {
 namespace {
@@ -26,13 +26,17 @@ TEST(CompensationCells, AreReadFromALine) {
     ASSERT_TRUE(cell_entry("10500=-0.012").has_value());
     EXPECT_EQ(cell_entry("10500=-0.012")->cell, 10500);
     EXPECT_FLOAT_EQ(cell_entry("10500=-0.012")->value, -0.012F);
-    for (const char* bad : {"", "10500", "9999=1", "30000=1", "10500=", "10500=1 2", "N10500=1", "10500=nan", "=1"}) EXPECT_FALSE(cell_entry(bad).has_value()) << bad;
+    for (const char* bad :
+         {"", "10500", "9999=1", "30000=1", "10500=", "10500=1 2", "N10500=1", "10500=nan", "=1"})
+        EXPECT_FALSE(cell_entry(bad).has_value()) << bad;
 }
 
 TEST(CompensationCells, ReplaceTheirLinesAndNothingElse) {
     const auto table = machine();
-    const std::vector<CellEntry> entries = {{10001, 0.5F}, {10002, 0.25F}, {10001, 0.125F}, {10009, 1.0F}};
-    EXPECT_EQ(with_cells("; measured in May\n10000=0.001\n 10001 = 7 ; old\n3D L1 0=0 0 0\n10002=3", *table, entries),
+    const std::vector<CellEntry> entries = {
+        {10001, 0.5F}, {10002, 0.25F}, {10001, 0.125F}, {10009, 1.0F}};
+    EXPECT_EQ(with_cells("; measured in May\n10000=0.001\n 10001 = 7 ; old\n3D L1 0=0 0 0\n10002=3",
+                         *table, entries),
               "; measured in May\n10000=0.001\n10001=0.125\n3D L1 0=0 0 0\n10002=0.25\n10009=1\n");
 }
 
@@ -52,7 +56,7 @@ std::unique_ptr<params::Table> with_grid() {
     params::put(*table, params::n2700_1st_axis_of_3d_compensation, 1, 1);
     params::put(*table, params::n2702_3rd_axis_of_3d_compensation, 2, 1);
     params::put(*table, params::n2703_no_of_points_on_1st_axis, 3, 1);
-    params::put(*table, params::n2704_no_of_points_on_2nd_axis, 7, 1);   // of no axis: counts one
+    params::put(*table, params::n2704_no_of_points_on_2nd_axis, 7, 1);  // of no axis: counts one
     params::put(*table, params::n2705_no_of_points_on_3rd_axis, 2, 1);
     return table;
 }
@@ -60,16 +64,22 @@ std::unique_ptr<params::Table> with_grid() {
 TEST(CompensationCells, APointOfAGridKeepsItsOtherTwoCorrections) {
     const auto table = with_grid();
     const std::vector<PointEntry> points = {{1, 4, 2, 0.25F}, {2, 0, 0, 1.0F}, {1, 4, 0, 0.5F}};
-    EXPECT_EQ(with_cells("; gauge 7\n10000=0\n3D L1 3=0 0 0\n 3D L1 4 = 9, -0.5 8 ; old\n3D L2 4=1 1 1\n", *table, {}, points),
-              "; gauge 7\n10000=0\n3D L1 3=0 0 0\n3D L1 4=0.5 -0.5 0.25\n3D L2 4=1 1 1\n3D L2 0=1 0 0\n");
+    EXPECT_EQ(
+        with_cells("; gauge 7\n10000=0\n3D L1 3=0 0 0\n 3D L1 4 = 9, -0.5 8 ; old\n3D L2 4=1 1 1\n",
+                   *table, {}, points),
+        "; gauge 7\n10000=0\n3D L1 3=0 0 0\n3D L1 4=0.5 -0.5 0.25\n3D L2 4=1 1 1\n3D L2 0=1 0 0\n");
 }
 
 TEST(CompensationCells, LeaveNoGapsWhereTheyAreFilled) {
     const auto table = with_grid();
     EXPECT_EQ(compensation_grid(*table, 1).points(), 6);
     const std::vector<PointEntry> points = {{1, 5, 0, 0.001F}};
-    const std::string text = with_cells("10001=0.5\n3D L1 0=0 0 0\n", *table, {}, points, Gaps::Filled);
-    EXPECT_EQ(text, "10001=0.5\n3D L1 0=0 0 0\n10000=0\n10002=0\n10003=0\n3D L1 1=0 0 0\n3D L1 2=0 0 0\n3D L1 3=0 0 0\n3D L1 4=0 0 0\n3D L1 5=0.001 0 0\n");
+    const std::string text =
+        with_cells("10001=0.5\n3D L1 0=0 0 0\n", *table, {}, points, Gaps::Filled);
+    EXPECT_EQ(text,
+              "10001=0.5\n3D L1 0=0 0 0\n10000=0\n10002=0\n"
+              "10003=0\n3D L1 1=0 0 0\n3D L1 2=0 0 0\n3D L1 3=0 0 0\n"
+              "3D L1 4=0 0 0\n3D L1 5=0.001 0 0\n");
     std::vector<Diagnosis> faults;
     check_compensation_tables(*table, parse_compensation(text, "x", faults), "x", faults);
     EXPECT_TRUE(faults.empty());
@@ -81,14 +91,16 @@ TEST(CompensationCells, LeaveNoGapsWhereTheyAreFilled) {
     EXPECT_EQ(faults[0].detail, "L1: point 6 of the grid has no value");
 }
 
-// However the file writes a line, what replaces it is the same line: a second one of its cell or point would make the file wrong.
+// However the file writes a line, what replaces it is the same line: a second one of its cell or
+// point would make the file wrong.
 TEST(CompensationCells, ALineIsKnownHoweverItIsWritten) {
     const auto table = machine();
     const std::string file = "+10500 = 1 ; a cell\n,10501=2\n\t3D L 1, +2 = 1 2 3\n10502=3\r\n";
     const CellEntry cells[] = {{10500, 5}, {10501, 6}, {10502, 7}};
     const PointEntry points[] = {{1, 2, 1, 9}};
     std::vector<Diagnosis> faults;
-    const CompensationTables now = parse_compensation(with_cells(file, *table, cells, points), "file", faults);
+    const CompensationTables now =
+        parse_compensation(with_cells(file, *table, cells, points), "file", faults);
     EXPECT_TRUE(faults.empty()) << (faults.empty() ? "" : faults[0].text());
     EXPECT_EQ(now.cell(10500), 5);
     EXPECT_EQ(now.cell(10501), 6);

@@ -1,4 +1,4 @@
-#include "ipc/machine/config_check.hpp"
+#include "ipc/machine/check/config_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,8 @@ std::string read(const std::string& path) {
 
 params::Table twin_turret_with(const std::vector<const char*>& lines) {
     params::Table table = params::defaults();
-    const std::string path = std::string(kSourceFolder) + "/examples/machines/twin-turret/machine.params";
+    const std::string path =
+        std::string(kSourceFolder) + "/examples/machines/twin-turret/machine.params";
     const auto file = params::parse_param_file(read(path), path);
     EXPECT_TRUE(file.ok());
     EXPECT_TRUE(params::apply(table, file));
@@ -37,7 +38,7 @@ params::Table twin_turret_with(const std::vector<const char*>& lines) {
 struct Row {
     std::vector<const char*> lines;
     Alarm alarm;
-    const char* names;   // what the operator must read: the parameter with scope and value
+    const char* names;  // what the operator must read: the parameter with scope and value
 };
 const Row kRows[] = {
     {{"N0002 A7=5"}, Alarm::ConfigAxisChannel, "N0002 A7=5"},
@@ -49,17 +50,19 @@ const Row kRows[] = {
     {{"N0103 A5=3"}, Alarm::ConfigPlaneRole, "N0103 A5=3"},
     {{"N0103 A5=4"}, Alarm::ConfigPlaneRole, "N0103 A5=4"},
     {{"N0005=50"}, Alarm::ConfigTick, "N0005=50"},
-    {{"N0005=500"}, Alarm::ConfigTick, "N0005=500"},     // Auto, 1000, 2000, 5000: part 1, 2; part 2, 9
+    // Auto, 1000, 2000, 5000: part 1, 2; part 2, 9
+    {{"N0005=500"}, Alarm::ConfigTick, "N0005=500"},
     {{"N0005=4000"}, Alarm::ConfigTick, "N0005=4000"},
-    {{"N2901#0 L2=1", "N2903=2", "N2904=3"}, Alarm::ParamRange, "N2904=3"},   // a column of those that N2903 adds: part 2, 30.4
+    // a column of those that N2903 adds: part 2, 30.4
+    {{"N2901#0 L2=1", "N2903=2", "N2904=3"}, Alarm::ParamRange, "N2904=3"},
     {{"N3106 L2=0.01", "N3107 L2=0.03"}, Alarm::ParamRange, "N3107 L2=0.03"},
     {{"N3205 L1=1", "N3206 L1=20"}, Alarm::ParamRange, "N3206 L1=20"},
     {{"N3209 L1=3", "N3210 L1=-20"}, Alarm::ParamRange, "N3210 L1=-20"},
     {{"N1413 L1=2", "N2923 L1=5"}, Alarm::ParamRange, "N2923 L1=5"},
     {{"N1413 L1=2", "N1414#1 L1=1", "N2923 L1=55"}, Alarm::ParamRange, "N2923 L1=55"},
     {{"N0682 S1=9.5"}, Alarm::ParamRange, "N0682 S1=9.5"},
-    {{"N1747 L1=71", "N1751 L1=3000"}, Alarm::ParamRange, "N1747 L1=71"},   // G: part 2, 18.4
-    {{"N1750 L2=80"}, Alarm::ParamRange, "N1750 L2=80"},                    // P
+    {{"N1747 L1=71", "N1751 L1=3000"}, Alarm::ParamRange, "N1747 L1=71"},  // G: part 2, 18.4
+    {{"N1750 L2=80"}, Alarm::ParamRange, "N1750 L2=80"},                   // P
     {{"N1702 L1=400", "N1703 L1=410"}, Alarm::ParamRange, "N1702 L1=400"},
     {{"N1702 L1=510", "N1703 L1=505"}, Alarm::ParamRange, "N1702 L1=510"},
     {{"N5000=Simulation"}, Alarm::ParamRange, "N5000=Simulation"},
@@ -70,7 +73,9 @@ const Row kRows[] = {
     {{"N1002 A2=-900"}, Alarm::ConfigStroke, "N1002 A2=-900"},
     {{"N1004 A2=-900"}, Alarm::ConfigStroke, "N1004 A2=-900"},
     {{"N1000 A2=00000101", "N1008 A2=1", "N1009 A2=2"}, Alarm::ConfigStroke, "N1008 A2=1"},
-    {{"N1000 A2=00000011", "N1001#1 L1=1", "N1006 A2=1", "N1007 A2=2"}, Alarm::ConfigStroke, "N1006 A2=1"},
+    {{"N1000 A2=00000011", "N1001#1 L1=1", "N1006 A2=1", "N1007 A2=2"},
+     Alarm::ConfigStroke,
+     "N1006 A2=1"},
     {{"N0604 L2=7"}, Alarm::ConfigSpindleMissing, "N0604 L2=7"},
     {{"N0687 L2=1"}, Alarm::ConfigSurfaceAxis, "N0687 L2=1"},
     {{"N0687 L1=5"}, Alarm::ConfigSurfaceAxis, "N0687 L1=5"},
@@ -93,7 +98,9 @@ const Row kRows[] = {
     {{"N1400 L1=990"}, Alarm::ConfigOffsets, "N1400 L1=990"},
     {{"N1333 L1=67"}, Alarm::ConfigAuxAddress, "N1333 L1=67"},
     {{"N1341 L1=55", "N1357 L1=51"}, Alarm::ConfigCodes, "N1341 L1=55"},
-    {{"N1341 L1=51", "N1357 L1=55", "N1342 L1=54", "N1358 L1=58"}, Alarm::ConfigCodes, "N1342 L1=54"},
+    {{"N1341 L1=51", "N1357 L1=55", "N1342 L1=54", "N1358 L1=58"},
+     Alarm::ConfigCodes,
+     "N1342 L1=54"},
     {{"N1317 L2=69", "N1325 L2=40"}, Alarm::ConfigCodes, "N1317 L2=69"},
     {{"N0689 S1=25", "N0690 S1=20"}, Alarm::ConfigCodes, "N0689 S1=25"},
     {{"N1333 L1=65", "N1334 L1=65"}, Alarm::ConfigAuxAddress, "N1334 L1=65"},
@@ -129,12 +136,20 @@ const Row kRows[] = {
     {{"N0900 A2=1", "N0901 A2=100", "N0902 A2=0"}, Alarm::ConfigHoming, "N0902 A2=0"},
     // Loops and drives: part 1, 7.1, 7.9.
     {{"N0514#7 A3=1", "N0514#7 A4=1", "N0533 A3=4", "N0533 A4=2"}, Alarm::ConfigLoop, "N0533 A3=4"},
-    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0534 A3=11"}, Alarm::ConfigLoop, "N0534 A1=11 and N0534 A3=11"},
-    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0537 A1=0.1", "N0538 A1=0.2"}, Alarm::ConfigLoop, "N0538 A1=0.2"},
+    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0534 A3=11"},
+     Alarm::ConfigLoop,
+     "N0534 A1=11 and N0534 A3=11"},
+    {{"N0002 A11=99", "N0106 A11=00010000", "N0534 A1=11", "N0537 A1=0.1", "N0538 A1=0.2"},
+     Alarm::ConfigLoop,
+     "N0538 A1=0.2"},
     {{"N0503 A2=43"}, Alarm::ConfigOutputShared, "N0503 A2=43 and N0603 S3=43"},
     // Strokes without room: part 1, 11.
-    {{"N1000 A2=00000011", "N1001 L1=00000011", "N1006 A2=1200", "N1007 A2=1100"}, Alarm::ConfigStroke, "N1006 A2=1200"},
-    {{"N1000 A2=00000101", "N1008 A2=5000", "N1009 A2=-5000"}, Alarm::ConfigStroke, "N1008 A2=5000"},
+    {{"N1000 A2=00000011", "N1001 L1=00000011", "N1006 A2=1200", "N1007 A2=1100"},
+     Alarm::ConfigStroke,
+     "N1006 A2=1200"},
+    {{"N1000 A2=00000101", "N1008 A2=5000", "N1009 A2=-5000"},
+     Alarm::ConfigStroke,
+     "N1008 A2=5000"},
     // Spindles: part 1, 8 and 9.
     {{"N0605 S2=42"}, Alarm::ConfigSpindleName, "N0605 S2=42"},
     {{"N0605 S2=65", "N0606 S2=42"}, Alarm::ConfigSpindleName, "N0606 S2=42"},
@@ -142,7 +157,9 @@ const Row kRows[] = {
     {{"N0817 S3=65", "N0818 S3=65", "N0819 S3=42"}, Alarm::ConfigSpindleName, "N0819 S3=42"},
     {{"N0609 S1=00011000"}, Alarm::ConfigSpindleSpeed, "N0609 S1"},
     {{"N0689 S1=18", "N0690 S1=24"}, Alarm::ConfigCodes, "N0689 S1=18"},
-    {{"N0820 S1=201", "N0821 S1=19", "N0822 S1=18", "N0607#2 S1=0"}, Alarm::ConfigCodes, "N0607 S1"},
+    {{"N0820 S1=201", "N0821 S1=19", "N0822 S1=18", "N0607#2 S1=0"},
+     Alarm::ConfigCodes,
+     "N0607 S1"},
     {{"N0820 S1=490", "N0821 S1=19", "N0822 S1=18"}, Alarm::ConfigCodes, "N0820 S1=490"},
     {{"N0820 S1=20", "N0821 S1=19", "N0822 S1=18"}, Alarm::ConfigCodes, "M30"},
     {{"N0688 L1=6000"}, Alarm::ConfigSpindleSpeed, "N0688 L1=6000"},
@@ -153,16 +170,29 @@ const Row kRows[] = {
     {{"N2305 L1=555"}, Alarm::ConfigCodes, "N2305 L1=555"},
     {{"N3012 L1=3", "N3013 L1=3"}, Alarm::ConfigSwitch, "N3012 L1=3 and N3013 L1=3"},
     // Pitch tables: part 2, section 26.
-    {{"N0106 A2=4", "N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=25"}, Alarm::ConfigPitch, "N2510 A2=25"},
-    {{"N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=20"}, Alarm::ConfigPitch, "N2500 A2=8"},
-    {{"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10030"}, Alarm::ConfigPitch, "N2506 A5=360"},
-    {{"N2500 A2=1", "N2501 A2=10", "N2502 A2=20000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2502 A2=20000"},
-    {{"N2500 A2=1", "N2501 A2=0", "N2502 A2=10000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2501 A2=0"},
+    {{"N0106 A2=4", "N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=25"},
+     Alarm::ConfigPitch,
+     "N2510 A2=25"},
+    {{"N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=20"},
+     Alarm::ConfigPitch,
+     "N2500 A2=8"},
+    {{"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10030"},
+     Alarm::ConfigPitch,
+     "N2506 A5=360"},
+    {{"N2500 A2=1", "N2501 A2=10", "N2502 A2=20000", "N2503 A2=10000", "N2504 A2=10030"},
+     Alarm::ConfigPitch,
+     "N2502 A2=20000"},
+    {{"N2500 A2=1", "N2501 A2=0", "N2502 A2=10000", "N2503 A2=10000", "N2504 A2=10030"},
+     Alarm::ConfigPitch,
+     "N2501 A2=0"},
     // An inclined slide (fanuc_lathe 10.5): its angle; and what it cannot do.
     {{"F8200#0 L1=1"}, Alarm::ParameterContradicts, "F8210 L1=0"},
     {{"F8200#0 L1=1", "F8210 L1=90"}, Alarm::ParameterContradicts, "F8210 L1=90"},
-    {{"F8200#0 L1=1", "F8210 L1=30", "PT_BALANCE L1=2", "PT_BALANCE L2=1"}, Alarm::ParameterContradicts, "PT_BALANCE L1=2"},
-    {{"N0002 A7=99", "N0534 A1=7"}, Alarm::ConfigLoop, "is not virtual"},   // measured only, but its loop could be closed
+    {{"F8200#0 L1=1", "F8210 L1=30", "PT_BALANCE L1=2", "PT_BALANCE L2=1"},
+     Alarm::ParameterContradicts,
+     "PT_BALANCE L1=2"},
+    // measured only, but its loop could be closed
+    {{"N0002 A7=99", "N0534 A1=7"}, Alarm::ConfigLoop, "is not virtual"},
     // Stored, and nothing acts on it.
     {{"N1402#1 L1=1"}, Alarm::ParamWithoutEffect, "N1402 L1="},
     {{"N1402#2 L2=1"}, Alarm::ParamWithoutEffect, "N1402 L2="},
@@ -177,7 +207,8 @@ TEST(MachineCheck, NamesParameterScopeAndValueOfEachContradiction) {
     for (const Row& row : kRows) {
         SCOPED_TRACE(row.names);
         const auto found = check_machine_config(twin_turret_with(row.lines));
-        EXPECT_EQ(found.size(), 1u) << (found.size() > 1 ? found[0].text() + "; " + found[1].text() : "nothing found");
+        EXPECT_EQ(found.size(), 1u)
+            << (found.size() > 1 ? found[0].text() + "; " + found[1].text() : "nothing found");
         if (found.size() != 1) continue;
         EXPECT_EQ(found[0].alarm, row.alarm) << found[0].text();
         EXPECT_NE(found[0].detail.find(row.names), std::string::npos) << found[0].detail;
@@ -186,7 +217,10 @@ TEST(MachineCheck, NamesParameterScopeAndValueOfEachContradiction) {
 
 // Each axis of a ring is named, whatever kinds of coupling close it.
 TEST(MachineCheck, NamesTheAxesOfACycleOfCouplings) {
-    for (const auto& lines : std::vector<std::vector<const char*>>{{"N2101 A2=4", "N2107 A4=2"}, {"N2107 A2=4", "N2107 A4=2"}, {"N2101 A2=4", "N2101 A4=2", "N2102 A2=4", "N2102 A4=4"}}) {
+    for (const auto& lines : std::vector<std::vector<const char*>>{
+             {"N2101 A2=4", "N2107 A4=2"},
+             {"N2107 A2=4", "N2107 A4=2"},
+             {"N2101 A2=4", "N2101 A4=2", "N2102 A2=4", "N2102 A4=4"}}) {
         const auto found = check_machine_config(twin_turret_with(lines));
         ASSERT_EQ(found.size(), 2u);
         for (std::size_t i = 0; i < 2; ++i) {
@@ -199,35 +233,46 @@ TEST(MachineCheck, NamesTheAxesOfACycleOfCouplings) {
 // What looks like a contradiction and is none.
 TEST(MachineCheck, LetsPassWhatTheSpecificationAllows) {
     const std::vector<const char*> kGood[] = {
-        {},                                                    // the machine as it is; C axes share their spindles' drives
-        {"N2201=0", "N2202=0"},                                // no waiting codes
-        {"N0002 A7=99"},                                       // measured only
-        {"N0002 A7=1", "N0100 A7=88", "N0101 A7=50"},          // X2 beside X
-        {"N0002 A7=2", "N0100 A7=89", "N0103 A7=5"},           // parallel to X
-        {"N0106 A6=10000010", "N0400 A6=0", "N0503 A6=1"},     // hypothetical: no drive of its own
-        {"N1000 A2=0", "N1002 A2=-900"},                       // a range that is not watched
-        {"N0604 L2=0", "N0687 L2=0"},                          // none
-        {"N0106#0=1", "N0107=1"},                              // of every axis: DIA counts for linear ones, REN for rotary ones (part 1, 3.4, 3.5)
-        {"N3106 L1=1", "N3107 L1=2", "N3205 L1=4", "N3206 L1=20", "N1413 L1=3", "N2923 L1=555", "N0682 S1=10"},   // at what they may be
-        {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036", "N2506 A5=360"},
-        {"N0005=0"}, {"N0005=2000"}, {"N0005=5000"},           // Auto, and what else the cycle may be
-        {"N2901#0 L2=1", "N2903=2", "N2904=2"},                // the last column
-        {"N2903=2", "N2904=3"},                                // TCU 0: no column is asked
+        // the machine as it is; C axes share their spindles' drives
+        {},
+        {"N2201=0", "N2202=0"},                             // no waiting codes
+        {"N0002 A7=99"},                                    // measured only
+        {"N0002 A7=1", "N0100 A7=88", "N0101 A7=50"},       // X2 beside X
+        {"N0002 A7=2", "N0100 A7=89", "N0103 A7=5"},        // parallel to X
+        {"N0106 A6=10000010", "N0400 A6=0", "N0503 A6=1"},  // hypothetical: no drive of its own
+        {"N1000 A2=0", "N1002 A2=-900"},                    // a range that is not watched
+        {"N0604 L2=0", "N0687 L2=0"},                       // none
+        // of every axis: DIA counts for linear ones, REN for rotary ones (part 1, 3.4, 3.5)
+        {"N0106#0=1", "N0107=1"},
+        // at what they may be
+        {"N3106 L1=1", "N3107 L1=2", "N3205 L1=4", "N3206 L1=20", "N1413 L1=3", "N2923 L1=555",
+         "N0682 S1=10"},
+        {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036",
+         "N2506 A5=360"},
+        // Auto, and what else the cycle may be
+        {"N0005=0"},
+        {"N0005=2000"},
+        {"N0005=5000"},
+        {"N2901#0 L2=1", "N2903=2", "N2904=2"},  // the last column
+        {"N2903=2", "N2904=3"},                  // TCU 0: no column is asked
     };
     for (const auto& lines : kGood) {
         const auto found = check_machine_config(twin_turret_with(lines));
-        EXPECT_TRUE(found.empty()) << (lines.empty() ? "plain" : lines[0]) << ": " << (found.empty() ? "" : found[0].text());
+        EXPECT_TRUE(found.empty()) << (lines.empty() ? "plain" : lines[0]) << ": "
+                                   << (found.empty() ? "" : found[0].text());
     }
 }
 
 TEST(MachineCheck, FindsAllContradictionsAtOnce) {
-    const auto found = check_machine_config(twin_turret_with({"N0002 A7=5", "N0604 L2=7", "N2201=700", "N0304 A1=0"}));
+    const auto found = check_machine_config(
+        twin_turret_with({"N0002 A7=5", "N0604 L2=7", "N2201=700", "N0304 A1=0"}));
     EXPECT_EQ(found.size(), 4u);
 }
 
 TEST(MachineCheck, CountsAxesOfAChannelButNotDirectMeasuringDevices) {
     params::Table table = twin_turret_with({});
-    for (unsigned a = 7; a <= 19; ++a) {   // with A1, A2, A5 sixteen axes of L1, named U0 to U9, V0 ...
+    // with A1, A2, A5 sixteen axes of L1, named U0 to U9, V0 ...
+    for (unsigned a = 7; a <= 19; ++a) {
         params::put(table, params::n0002_axis_assign, 1, a);
         params::put(table, params::n0100_axis_name1, a < 17 ? 'U' : 'V', a);
         params::put(table, params::n0101_axis_name2, '0' + (a - 7) % 10, a);
@@ -237,7 +282,8 @@ TEST(MachineCheck, CountsAxesOfAChannelButNotDirectMeasuringDevices) {
     auto found = check_machine_config(table);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].alarm, Alarm::ConfigAxisCount);
-    params::put(table, params::n0534_dual_position_axis_number, 20, 1);   // A20 carries the scale of A1, so it is virtual
+    // A20 carries the scale of A1, so it is virtual
+    params::put(table, params::n0534_dual_position_axis_number, 20, 1);
     params::put(table, params::n0106_axis_properties, 1 << 4, 20);
     EXPECT_TRUE(check_machine_config(table).empty());
 }

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "ipc/machine/bodies/room.hpp"
+#include "ipc/machine/bodies/room_bodies.hpp"
 #include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/room.hpp"
-#include "ipc/machine/room_bodies.hpp"
 #include "ipc/params/registry.hpp"
 #include "tests/places.hpp"
 #include "tests/property.hpp"
@@ -19,7 +19,8 @@ const std::string kTwinTurret = std::string(kSourceFolder) + "/examples/machines
 
 TEST(TwinTurret, IsTheMachineThatTheCommandLinePromises) {
     const LoadedMachine loaded = load_machine({kTwinTurret, {}, {}});
-    for (const Diagnosis& diagnosis : loaded.diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
+    for (const Diagnosis& diagnosis : loaded.diagnoses)
+        ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     const MachineConfig m = derive_machine_config(*loaded.table);
     EXPECT_EQ(m.tick_us, 1000u);
     EXPECT_EQ(m.channel_count, 2);
@@ -31,11 +32,20 @@ TEST(TwinTurret, IsTheMachineThatTheCommandLinePromises) {
     EXPECT_FALSE(m.is_wait_code(600));
     EXPECT_EQ(m.channels_of_group(1), 3u);
 
-    struct Row { unsigned axis, channel; const char* name; PlaneRole role; bool diameter, rotary; unsigned on_spindle; };
+    struct Row {
+        unsigned axis, channel;
+        const char* name;
+        PlaneRole role;
+        bool diameter, rotary;
+        unsigned on_spindle;
+    };
     const Row rows[] = {
-        {1, 1, "X", PlaneRole::BasicX, true, false, 0}, {2, 1, "Z", PlaneRole::BasicZ, false, false, 0},
-        {3, 2, "X", PlaneRole::BasicX, true, false, 0}, {4, 2, "Z", PlaneRole::BasicZ, false, false, 0},
-        {5, 1, "C", PlaneRole::None, false, true, 1},   {6, 2, "C", PlaneRole::None, false, true, 2},
+        {1, 1, "X", PlaneRole::BasicX, true, false, 0},
+        {2, 1, "Z", PlaneRole::BasicZ, false, false, 0},
+        {3, 2, "X", PlaneRole::BasicX, true, false, 0},
+        {4, 2, "Z", PlaneRole::BasicZ, false, false, 0},
+        {5, 1, "C", PlaneRole::None, false, true, 1},
+        {6, 2, "C", PlaneRole::None, false, true, 2},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.axis);
@@ -73,21 +83,25 @@ TEST(TwinTurret, HasARoomForItsParts) {
     std::vector<Diagnosis> diagnoses;
     const LoadedMachine loaded = load_machine_file(kTwinTurret);
     const Room room = load_room(loaded.room_file, derive_machine_config(*loaded.table), diagnoses);
-    for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
+    for (const Diagnosis& diagnosis : diagnoses)
+        ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     EXPECT_EQ(room.axes.size(), 6u);
     EXPECT_EQ(room.turrets.size(), 2u);
     EXPECT_EQ(room.chucks.size(), 2u);
-    EXPECT_EQ(room.axes.at(3).direction.x, -1.0);   // the lower turret comes from below
+    EXPECT_EQ(room.axes.at(3).direction.x, -1.0);  // the lower turret comes from below
 }
 
-// The ram of the vertical lathe goes 30 degrees out of the level; what a tool is long counts at right angles (fanuc_lathe 10.5).
+// The ram of the vertical lathe goes 30 degrees out of the level; what a tool is long counts at
+// right angles (fanuc_lathe 10.5).
 TEST(VerticalInclined, TheTipOfATool) {
     std::vector<Diagnosis> diagnoses;
-    const LoadedMachine loaded = load_machine_file(std::string(kSourceFolder) + "/examples/machines/vertical-inclined");
+    const LoadedMachine loaded =
+        load_machine_file(std::string(kSourceFolder) + "/examples/machines/vertical-inclined");
     const MachineConfig machine = derive_machine_config(*loaded.table);
     const Room room = load_room(loaded.room_file, machine, diagnoses);
     std::array<double, kChannelAxes> shift{};
-    shift[find_axis(machine, 1, PlaneRole::BasicX)->slot] = 40, shift[find_axis(machine, 1, PlaneRole::BasicZ)->slot] = 25;
+    shift[find_axis(machine, 1, PlaneRole::BasicX)->slot] = 40;
+    shift[find_axis(machine, 1, PlaneRole::BasicZ)->slot] = 25;
     const RoomBodies::Vector tip = tip_of(room, machine, 1, shift);
     EXPECT_NEAR(tip.x, -40, 1e-6);
     EXPECT_NEAR(tip.z, -25, 1e-6);
@@ -96,12 +110,13 @@ TEST(VerticalInclined, TheTipOfATool) {
 TEST(MachineConfig, TakesInchesAndMinutesToMillimetresAndSeconds) {
     params::Table t = params::defaults();
     params::put(t, params::n0000_machine_group, 1, 1);
-    params::put(t, params::n0104_unit_of_measure, 1, 1);   // inch
+    params::put(t, params::n0104_unit_of_measure, 1, 1);  // inch
     params::put(t, params::n0002_axis_assign, 1, 1);
     params::put(t, params::n0002_axis_assign, 1, 2);
     params::put(t, params::n0100_axis_name1, 'X', 1);
     params::put(t, params::n0100_axis_name1, 'C', 2);
-    params::put(t, params::n0106_axis_properties, 2, 2);   // rotary: degrees, whatever the channel measures in
+    // rotary: degrees, whatever the channel measures in
+    params::put(t, params::n0106_axis_properties, 2, 2);
     for (const unsigned a : {1u, 2u}) {
         params::put(t, params::n0304_rapid, 600, a);
         params::put(t, params::n0400_acceleration, 100, a);
@@ -114,7 +129,7 @@ TEST(MachineConfig, TakesInchesAndMinutesToMillimetresAndSeconds) {
     EXPECT_DOUBLE_EQ(m.axis(1).limits.accel_mm_s2, 2540.0);
     EXPECT_DOUBLE_EQ(m.axis(1).stroke.max_a_mm, 254.0);
     EXPECT_DOUBLE_EQ(m.axis(2).stroke.max_a_mm, 10.0);
-    EXPECT_TRUE(std::isinf(m.axis(1).limits.jerk_mm_s3));   // N0401 = 0: no jerk limit
+    EXPECT_TRUE(std::isinf(m.axis(1).limits.jerk_mm_s3));  // N0401 = 0: no jerk limit
 }
 
 TEST(MachineConfig, ChoosesTheTickByTheChannelsThatOwnAxes) {
@@ -126,14 +141,16 @@ TEST(MachineConfig, ChoosesTheTickByTheChannelsThatOwnAxes) {
     EXPECT_EQ(auto_tick_us(16), 5000u);
 }
 
-// Whatever the parameters say within their limits, every number in the result can be used as an index.
+// Whatever the parameters say within their limits, every number in the result can be used as an
+// index.
 TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
     const bool good = holds("random tables", [] {
         auto t = std::make_unique<params::Table>(params::defaults());
         const auto put_some = [&](const auto& handle, int low, int high) {
             const unsigned count = params::instances(std::decay_t<decltype(handle)>::kScope);
             for (unsigned i = 1; i <= count; ++i)
-                if (*rc::gen::inRange(0, 3) > 0) params::put(*t, handle, *rc::gen::inRange(low, high), i);
+                if (*rc::gen::inRange(0, 3) > 0)
+                    params::put(*t, handle, *rc::gen::inRange(low, high), i);
         };
         put_some(params::n0000_machine_group, 0, 9);
         put_some(params::n0002_axis_assign, 0, 20);
@@ -149,10 +166,12 @@ TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
             RC_ASSERT(c.axis_count <= kChannelAxes);
             for (std::size_t slot = 0; slot < c.axis_count; ++slot) {
                 const AxisConfig& a = m->axis(c.axes[slot]);
-                RC_ASSERT((a.exists() && a.channel == c.number && a.slot == slot && a.name[0] != 0));
+                RC_ASSERT(
+                    (a.exists() && a.channel == c.number && a.slot == slot && a.name[0] != 0));
             }
             RC_ASSERT((c.default_spindle == 0 || m->spindle(c.default_spindle).exists()));
-            RC_ASSERT((c.surface_speed_axis == 0 || m->axis(c.surface_speed_axis).channel == c.number));
+            RC_ASSERT(
+                (c.surface_speed_axis == 0 || m->axis(c.surface_speed_axis).channel == c.number));
         }
         for (const AxisConfig& a : m->axes) {
             if (!a.exists()) continue;
@@ -164,19 +183,24 @@ TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
 }
 
 TEST(LoadMachine, SaysEveryWrongLineWithItsPlace) {
-    const LoadedMachine loaded = load_machine({kTwinTurret, {"/nowhere/a.params"}, {"N1600 L1=x", "N0304 A3=12000", "N4711=1"}});
+    const LoadedMachine loaded = load_machine(
+        {kTwinTurret, {"/nowhere/a.params"}, {"N1600 L1=x", "N0304 A3=12000", "N4711=1"}});
     ASSERT_EQ(loaded.diagnoses.size(), 3u);
     EXPECT_EQ(loaded.diagnoses[0].alarm, Alarm::FileUnreadable);
     EXPECT_EQ(loaded.diagnoses[1].place.file, "--set");
     EXPECT_EQ(loaded.diagnoses[2].place.file, "--set");
     EXPECT_FALSE(loaded.ok());
-    EXPECT_EQ(params::get(*loaded.table, params::n0304_rapid, 3), 12000);   // the good line acts
+    EXPECT_EQ(params::get(*loaded.table, params::n0304_rapid, 3), 12000);  // the good line acts
 }
 
 TEST(Room, DiagnosesWhatTheMachineDoesNotHave) {
     const LoadedMachine loaded = load_machine_file(kTwinTurret);
     const MachineConfig m = derive_machine_config(*loaded.table);
-    struct Row { const char* text; Alarm alarm; unsigned line; };
+    struct Row {
+        const char* text;
+        Alarm alarm;
+        unsigned line;
+    };
     const Row rows[] = {
         {"[axis.A9]\norigin = { X = 0.0 }\n", Alarm::RoomEntry, 1},
         {"[axis.X]\norigin = { X = 0.0 }\n", Alarm::RoomEntry, 1},
@@ -204,8 +228,10 @@ TEST(Room, AddsTheAxesOfAChannelToAPoint) {
     const LoadedMachine loaded = load_machine_file(kTwinTurret);
     const MachineConfig m = derive_machine_config(*loaded.table);
     std::vector<Diagnosis> none;
-    const Room room = parse_room("[axis.A3]\norigin = { X = -5.0, Z = 1.0 }\ndirection = { X = -2.0 }\n", "machine.toml", m, none);
-    const double at[] = {30.0, -100.0, 77.0};   // X as a radius, Z, C
+    const Room room =
+        parse_room("[axis.A3]\norigin = { X = -5.0, Z = 1.0 }\ndirection = { X = -2.0 }\n",
+                   "machine.toml", m, none);
+    const double at[] = {30.0, -100.0, 77.0};  // X as a radius, Z, C
     const RoomVector point = room.point(m.channel(2), m, at);
     EXPECT_DOUBLE_EQ(point.x, -35.0);
     EXPECT_DOUBLE_EQ(point.z, -99.0);

@@ -1,6 +1,4 @@
 // Rings and notes: what one process pushes, the other takes: all of it, in order, once.
-#include "ipc/memory/spsc_ring.hpp"
-
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -9,6 +7,7 @@
 #include <thread>
 
 #include "ipc/memory/note_ring.hpp"
+#include "ipc/memory/spsc_ring.hpp"
 #include "tests/property.hpp"
 
 namespace polyturn {
@@ -79,14 +78,19 @@ TEST(SpscRing, TwoThreadsSeeEveryItemWhole) {
     std::thread maker([&] {
         RingProducer producer(*head, tail);
         for (std::uint64_t i = 0; i < kCount;)
-            if (producer.push({i, ~i})) ++i;
-            else std::this_thread::yield();
+            if (producer.push({i, ~i}))
+                ++i;
+            else
+                std::this_thread::yield();
     });
     RingConsumer consumer(*head, tail);
     std::uint64_t wrong = 0;
     for (std::uint64_t i = 0; i < kCount;) {
         const Item* item = consumer.front();
-        if (!item) { std::this_thread::yield(); continue; }
+        if (!item) {
+            std::this_thread::yield();
+            continue;
+        }
         wrong += item->a != i || item->b != ~i;
         consumer.pop();
         ++i;
@@ -103,7 +107,8 @@ TEST(NoteRing, CarriesTextsOfAnyLengthRoundItsEnd) {
     std::deque<std::string> model;
     std::uint64_t written = 0, read = 0;
     for (int round = 0; round < 40'000; ++round) {
-        const std::string text(static_cast<std::size_t>((round * 7919) % 997), static_cast<char>('a' + round % 26));
+        const std::string text(static_cast<std::size_t>((round * 7919) % 997),
+                               static_cast<char>('a' + round % 26));
         if (writer.push(written, text)) {
             model.push_back(text);
             ++written;

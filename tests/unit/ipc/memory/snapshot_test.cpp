@@ -1,4 +1,5 @@
-// A snapshot's reader always gets one whole value: also when its writer is killed between any two stores.
+// A snapshot's reader always gets one whole value: also when its writer is killed between any two
+// stores.
 #include "ipc/memory/snapshot.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ struct Value {
 };
 
 TEST(Snapshot, IsWholeWhenItsWriterIsKilledAtAnyMoment) {
-    void* memory = mmap(nullptr, sizeof(Snapshot<Value>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void* memory = mmap(nullptr, sizeof(Snapshot<Value>), PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     ASSERT_NE(memory, MAP_FAILED);
     auto& snapshot = *new (memory) Snapshot<Value>;
     snapshot.draft().fill(1);

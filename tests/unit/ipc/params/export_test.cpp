@@ -18,20 +18,27 @@ std::unique_ptr<Table> fresh() {
     return table;
 }
 
-// A value that the row allows, with a liking for the limits and for digits that only just fit a double.
+// A value that the row allows, with a liking for the limits and for digits that only just fit a
+// double.
 double some_number(const Row& row) {
     const auto fraction = static_cast<double>(*rc::gen::inRange(0, 1'000'001)) / 1e6;
     const double low = std::max(row.min, -1e12), high = std::min(row.max, 1e12);
-    double value = *rc::gen::element(row.min, row.max, row.default_number(), low + (high - low) * fraction, low + (high - low) / 3.0);
+    double value = *rc::gen::element(row.min, row.max, row.default_number(),
+                                     low + (high - low) * fraction, low + (high - low) / 3.0);
     if (row.type != Type::Real) value = std::floor(value);
     return std::min(std::max(value, row.min), row.max) + 0.0;
 }
 
 std::string some_text(const Row& row) {
-    if (row.text_rule == TextRule::Choice) return std::string(*rc::gen::elementOf(std::vector<std::string_view>(row.choices.begin(), row.choices.end())));
-    if (row.text_rule == TextRule::Ipv4) return *rc::gen::element<std::string>("", "0.0.0.0", "192.168.1.20", "255.255.255.255");
+    if (row.text_rule == TextRule::Choice)
+        return std::string(*rc::gen::elementOf(
+            std::vector<std::string_view>(row.choices.begin(), row.choices.end())));
+    if (row.text_rule == TextRule::Ipv4)
+        return *rc::gen::element<std::string>("", "0.0.0.0", "192.168.1.20", "255.255.255.255");
     const auto length = *rc::gen::inRange(0, static_cast<int>(row.max) + 1);
-    return *rc::gen::container<std::string>(static_cast<std::size_t>(length), rc::gen::element(' ', ';', '"', '\\', '#', '=', 'a', 'Z', '7'));
+    return *rc::gen::container<std::string>(
+        static_cast<std::size_t>(length),
+        rc::gen::element(' ', ';', '"', '\\', '#', '=', 'a', 'Z', '7'));
 }
 
 Assignment some_assignment() {
@@ -83,11 +90,14 @@ PROPERTY(ParameterDifference, AppliedAsLinesGivesTheOtherTable, ()) {
     RC_ASSERT(same(*before, *after));
 }
 
-TEST(ExportedParameters, AreNothingWhenNothingWasChanged) { EXPECT_EQ(export_lines(*fresh(), Content::Changed), ""); }
+TEST(ExportedParameters, AreNothingWhenNothingWasChanged) {
+    EXPECT_EQ(export_lines(*fresh(), Content::Changed), "");
+}
 
 TEST(ExportedParameters, HoldOneLineForAllInstancesThatAreAlike) {
     auto table = fresh();
-    ASSERT_TRUE(apply(*table, parse_param_file("N0304=12000\nN0106#0 A3=1\nN0003 L1=\"a;b\"\n", "m")).ok());
+    ASSERT_TRUE(
+        apply(*table, parse_param_file("N0304=12000\nN0106#0 A3=1\nN0003 L1=\"a;b\"\n", "m")).ok());
     EXPECT_EQ(export_lines(*table, Content::Changed),
               "; System Config\n"
               "N0003 L1=\"a;b\"          ; Channel Name\n"
@@ -109,8 +119,12 @@ TEST(ParameterDifference, SaysWhatWhereAndInWhichUnit) {
 
 TEST(ParameterUnits, FollowTheAxisAndTheUnitOfItsChannel) {
     auto table = fresh();
-    ASSERT_TRUE(apply(*table, parse_param_file("N0002 A1=1\nN0002 A2=1\nN0106#1 A2=1\nN0002 A3=2\nN0104#0 L2=1\n", "m")).ok());
-    const Row &rapid = *find("N0304"), &limit = *find("N0303"), &chord = *find("N1339"), &surface = *find("N0686");
+    ASSERT_TRUE(
+        apply(*table, parse_param_file(
+                          "N0002 A1=1\nN0002 A2=1\nN0106#1 A2=1\nN0002 A3=2\nN0104#0 L2=1\n", "m"))
+            .ok());
+    const Row &rapid = *find("N0304"), &limit = *find("N0303"), &chord = *find("N1339"),
+              &surface = *find("N0686");
     EXPECT_EQ(unit_of(rapid, *table, 1), "mm/min");
     EXPECT_EQ(unit_of(limit, *table, 2), "deg/min");
     EXPECT_EQ(unit_of(rapid, *table, 3), "inch/min");

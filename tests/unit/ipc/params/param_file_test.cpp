@@ -16,8 +16,10 @@ std::unique_ptr<Table> fresh() {
 }
 
 TEST(ParameterFile, IsReadWithAnyLineEnd) {
-    for (const char* text : {"; two axes\n\nN0304 A1=1\nN0304 A2=2\n", "; two axes\r\n\r\nN0304 A1=1\r\nN0304 A2=2\r\n", "; two axes\r\rN0304 A1=1\rN0304 A2=2",
-                             "\xef\xbb\xbf; two axes\n \t \nN0304 A1=1\nN0304 A2=2   ; last"}) {
+    for (const char* text :
+         {"; two axes\n\nN0304 A1=1\nN0304 A2=2\n",
+          "; two axes\r\n\r\nN0304 A1=1\r\nN0304 A2=2\r\n", "; two axes\r\rN0304 A1=1\rN0304 A2=2",
+          "\xef\xbb\xbf; two axes\n \t \nN0304 A1=1\nN0304 A2=2   ; last"}) {
         SCOPED_TRACE(text);
         const ParsedFile file = parse_param_file(text, "machine.params");
         EXPECT_TRUE(file.ok());
@@ -30,7 +32,8 @@ TEST(ParameterFile, IsReadWithAnyLineEnd) {
 }
 
 TEST(ParameterFile, GivesEveryBadLineWithItsPlace) {
-    const ParsedFile file = parse_param_file("N0304 A1=1\nN0304 L1=1\n\nN9999=1\nN0304 A2=2\nN0304 A3=-2\n", "m");
+    const ParsedFile file =
+        parse_param_file("N0304 A1=1\nN0304 L1=1\n\nN9999=1\nN0304 A2=2\nN0304 A3=-2\n", "m");
     EXPECT_FALSE(file.ok());
     EXPECT_EQ(file.assignments.size(), 2U);
     ASSERT_EQ(file.diagnoses.size(), 3U);
@@ -44,8 +47,10 @@ TEST(ParameterFile, GivesEveryBadLineWithItsPlace) {
 }
 
 TEST(ParameterFile, OfAnotherKindIsRefusedWhole) {
-    EXPECT_EQ(parse_param_file(std::string_view("\xff\xfeN\0", 4), "m").diagnoses.at(0).alarm, Alarm::FileUtf16);
-    EXPECT_EQ(parse_param_file(std::string_view("N0304\0=1", 8), "m").diagnoses.at(0).alarm, Alarm::FileBinary);
+    EXPECT_EQ(parse_param_file(std::string_view("\xff\xfeN\0", 4), "m").diagnoses.at(0).alarm,
+              Alarm::FileUtf16);
+    EXPECT_EQ(parse_param_file(std::string_view("N0304\0=1", 8), "m").diagnoses.at(0).alarm,
+              Alarm::FileBinary);
     EXPECT_TRUE(parse_param_file("", "m").ok());
     EXPECT_TRUE(parse_param_file("\n\r\n;\n", "m").ok());
 }
@@ -58,7 +63,10 @@ TEST(ParameterFile, StopsAfterTooManyBadLines) {
 
 TEST(ParameterFile, IsAppliedInItsOrder) {
     auto table = fresh();
-    const auto file = parse_param_file("N0304=5000\nN0304 A2=6000\nN0106#0=1\nN0106#2 A3=1\nN0106#0 A3=0\nN0003 L2=Lower\nF5002=00000010\n", "m");
+    const auto file = parse_param_file(
+        "N0304=5000\nN0304 A2=6000\nN0106#0=1\nN0106#2 A3=1\n"
+        "N0106#0 A3=0\nN0003 L2=Lower\nF5002=00000010\n",
+        "m");
     ASSERT_TRUE(apply(*table, file).ok());
     EXPECT_DOUBLE_EQ(get(*table, n0304_rapid, 1), 5000.0);
     EXPECT_DOUBLE_EQ(get(*table, n0304_rapid, 2), 6000.0);
@@ -79,7 +87,8 @@ TEST(ParameterFile, WithOneErrorChangesNothing) {
 }
 
 TEST(ParameterFile, WarnsWhereALineSetsTheSameAgain) {
-    const auto file = parse_param_file("N0304=1\nN0304 A1=2\nN0106#0 A1=1\nN0106#1 A1=1\nN0304 A1=3\n", "m");
+    const auto file =
+        parse_param_file("N0304=1\nN0304 A1=2\nN0106#0 A1=1\nN0106#1 A1=1\nN0304 A1=3\n", "m");
     EXPECT_TRUE(file.ok());
     ASSERT_EQ(file.diagnoses.size(), 1U);
     EXPECT_EQ(file.diagnoses[0].alarm, Alarm::ParamTwice);

@@ -42,7 +42,8 @@ constexpr Good kGood[] = {
     {"N0003 L1=\"a;b\"", "N0003 L1", 0, "a;b"},
     {"N0003 L1=\" \\\"\\\\ \" ; quoted", "N0003 L1", 0, " \"\\ "},
     {"N0003 L2=", "N0003 L2", 0, ""},
-    {"N0003 L1=\u00d6ffnen\u00df", "N0003 L1", 0, "\u00d6ffnen\u00df"},  // eight characters in ten bytes
+    // eight characters in ten bytes
+    {"N0003 L1=\u00d6ffnen\u00df", "N0003 L1", 0, "\u00d6ffnen\u00df"},
     {"PT_LANGUAGE L2=sinumerik", "PT_LANGUAGE L2", 0, "sinumerik"},
     {"N5101=192.168.0.1", "N5101", 0, "192.168.0.1"},
     {"N0512 A1=4294967296", "N0512 A1", 4294967296.0},
@@ -128,7 +129,8 @@ constexpr Bad kBad[] = {
     {"N5101=1.2.3.4.5", Alarm::ParamText, 7, 9, "four numbers"},
     {"N5101=1.2.3.04", Alarm::ParamText, 7, 8, "four numbers"},
     {"\u00e9=1", Alarm::ParamSyntax, 1, 1, "\u00e9"},
-    {"N0003 \u00e9\u00e9=1", Alarm::ParamSyntax, 7, 2, "behind N0003"},  // columns count characters, not bytes
+    // columns count characters, not bytes
+    {"N0003 \u00e9\u00e9=1", Alarm::ParamSyntax, 7, 2, "behind N0003"},
 };
 
 TEST(ParameterLine, IsDiagnosedAtItsColumn) {
@@ -165,7 +167,8 @@ TEST(ParameterTarget, IsReadWithoutAValue) {
 TEST(ParameterTarget, OtherControlsNamesLeadToTheSameValue) {
     EXPECT_EQ(target_text(*parse_target("MD32000 A2")), "N0304 A2");
     EXPECT_EQ(target_text(*parse_target("fg.g00feed")), "N0304");
-    const auto line = parse_assignment("FG.MAXFEED X=1500");   // the axis by its letter, as Fagor names it
+    // the axis by its letter, as Fagor names it
+    const auto line = parse_assignment("FG.MAXFEED X=1500");
     ASSERT_TRUE(line.ok());
     EXPECT_EQ(line->row->number, "N0305");
     EXPECT_EQ(line->axis, 'X');

@@ -72,7 +72,8 @@ TEST(ParameterHandles, AgreeWithTheirRows) {
     EXPECT_EQ(rows().size(), kRowCount);
 }
 
-// A wrong index would read another axis: the process stops instead, and the drives' watchdog with it.
+// A wrong index would read another axis: the process stops instead, and the drives' watchdog with
+// it.
 TEST(ParameterTableDeathTest, TrapsOnAnIndexOutsideTheCapacity) {
     const auto table = fresh();
     EXPECT_DEATH((void)get(*table, n0304_rapid, 0), "");

@@ -1,5 +1,7 @@
-// `params list --unused` of the machine's own groups (nct_parameters 2 to 14, 24, 25): what the specification itself calls unused, and a
-// reviewed list of pure hardware addresses. A row that stops acting, or a new one that never did, fails here until it is reviewed.
+// `params list --unused` of the machine's own groups (nct_parameters 2 to 14, 24, 25): what the
+// specification itself calls unused, and a
+// reviewed list of pure hardware addresses. A row that stops acting, or a new one that never did,
+// fails here until it is reviewed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +13,11 @@ namespace polyturn::params {
 namespace {
 
 // Reserved in the specification.
-constexpr std::string_view kReserved[] = {"N0204", "N0423", "N0539", "N0793", "N0794", "N0795", "N0796", "N0797", "N0798", "N0799", "N0800"};
+constexpr std::string_view kReserved[] = {"N0204", "N0423", "N0539", "N0793", "N0794", "N0795",
+                                          "N0796", "N0797", "N0798", "N0799", "N0800"};
 // Cards and addresses of a bus: here the drive interface (kernel/drives/drive.h) takes their place.
-constexpr std::string_view kHardware[] = {"N0004", "N0500", "N0501", "N0502", "N0600", "N0601", "N0602"};
+constexpr std::string_view kHardware[] = {"N0004", "N0500", "N0501", "N0502",
+                                          "N0600", "N0601", "N0602"};
 
 bool of_the_machine(std::string_view number) {
     if (number.size() != 5 || number[0] != 'N') return false;
@@ -23,11 +27,13 @@ bool of_the_machine(std::string_view number) {
 
 TEST(Unused, ParametersOfTheMachineAreReviewed) {
     const auto listed = [](std::string_view number) {
-        return std::ranges::find(kReserved, number) != std::end(kReserved) || std::ranges::find(kHardware, number) != std::end(kHardware);
+        return std::ranges::find(kReserved, number) != std::end(kReserved) ||
+               std::ranges::find(kHardware, number) != std::end(kHardware);
     };
     for (const Row& row : rows()) {
         if (!of_the_machine(row.number)) continue;
-        EXPECT_TRUE(row.acts == "yes" || listed(row.number)) << row.number << " " << row.name << ": " << row.acts;
+        EXPECT_TRUE(row.acts == "yes" || listed(row.number))
+            << row.number << " " << row.name << ": " << row.acts;
     }
 }
 

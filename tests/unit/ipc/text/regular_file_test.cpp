@@ -1,4 +1,5 @@
-// The door for files: an ordinary file comes in, whole and bounded; whatever else bears a name is refused at once.
+// The door for files: an ordinary file comes in, whole and bounded; whatever else bears a name is
+// refused at once.
 #include "ipc/text/regular_file.hpp"
 
 #include <gtest/gtest.h>
@@ -59,18 +60,23 @@ TEST_F(RegularFiles, WhatIsNoFileIsRefusedAndNamed) {
         Alarm alarm;
         const char* says;
     };
-    for (const Row& row : {Row{path("pipe"), Alarm::FileKind, "pipe"}, Row{path("link"), Alarm::FileKind, "pipe"}, Row{"/dev/zero", Alarm::FileKind, "device"},
-                           Row{"/dev/tty", Alarm::FileKind, ""}, Row{path("socket"), Alarm::FileKind, "socket"}, Row{folder_.string(), Alarm::FileKind, "folder"},
-                           Row{path("nowhere"), Alarm::FileUnreadable, "No such file"}, Row{"", Alarm::FileUnreadable, "No such file"},
-                           Row{std::string("/dev/null\0.nc", 13), Alarm::FileUnreadable, ""}}) {
-        if (row.path == "/dev/tty") {   // who has no terminal cannot open it at all
+    for (const Row& row :
+         {Row{path("pipe"), Alarm::FileKind, "pipe"}, Row{path("link"), Alarm::FileKind, "pipe"},
+          Row{"/dev/zero", Alarm::FileKind, "device"}, Row{"/dev/tty", Alarm::FileKind, ""},
+          Row{path("socket"), Alarm::FileKind, "socket"},
+          Row{folder_.string(), Alarm::FileKind, "folder"},
+          Row{path("nowhere"), Alarm::FileUnreadable, "No such file"},
+          Row{"", Alarm::FileUnreadable, "No such file"},
+          Row{std::string("/dev/null\0.nc", 13), Alarm::FileUnreadable, ""}}) {
+        if (row.path == "/dev/tty") {  // who has no terminal cannot open it at all
             EXPECT_FALSE(RegularFile::open(row.path));
             continue;
         }
         const auto file = RegularFile::open(row.path);
         ASSERT_FALSE(file) << row.path;
         EXPECT_EQ(file.diagnosis().alarm, row.alarm) << row.path;
-        EXPECT_NE(file.diagnosis().detail.find(row.says), std::string::npos) << row.path << ": " << file.diagnosis().detail;
+        EXPECT_NE(file.diagnosis().detail.find(row.says), std::string::npos)
+            << row.path << ": " << file.diagnosis().detail;
         EXPECT_FALSE(read_text_file(row.path)) << row.path;
     }
     ::close(listener);
@@ -90,7 +96,8 @@ TEST_F(RegularFiles, HaveALimitAlsoWhenTheyGrowWhileTheyAreRead) {
     ASSERT_FALSE(again);
     EXPECT_EQ(again.diagnosis().alarm, Alarm::FileTooLarge);
     EXPECT_FALSE(again.diagnosis().text().empty());
-    const auto endless = RegularFile::open("/proc/self/maps", 64);   // an ordinary file that says it is empty
+    // an ordinary file that says it is empty
+    const auto endless = RegularFile::open("/proc/self/maps", 64);
     ASSERT_TRUE(endless);
     EXPECT_FALSE(endless->read_all());
 }

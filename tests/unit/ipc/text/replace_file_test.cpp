@@ -13,7 +13,10 @@ namespace fs = std::filesystem;
 
 struct Folder {
     fs::path at = fs::path(::testing::TempDir()) / ("replace_" + std::to_string(::getpid()));
-    Folder() { fs::remove_all(at), fs::create_directories(at); }
+    Folder() {
+        fs::remove_all(at);
+        fs::create_directories(at);
+    }
     ~Folder() { fs::remove_all(at); }
     std::string file() const { return (at / "kept").string(); }
     std::string content() const {
@@ -29,7 +32,7 @@ TEST(ReplaceFile, PutsAllBytesInPlaceOfTheOldOnesWithTheirRights) {
     const std::string bytes("new\0bytes", 9);
     ASSERT_TRUE(replace_file(folder.file(), bytes));
     EXPECT_EQ(folder.content(), bytes);
-    struct stat now{};
+    struct stat now {};
     ASSERT_EQ(::stat(folder.file().c_str(), &now), 0);
     EXPECT_EQ(now.st_mode & 0777, 0600u);
     EXPECT_FALSE(fs::exists(folder.file() + ".new"));

@@ -1,4 +1,5 @@
-// Setup, scenario and job: what the manual shows is read, and whatever is not understood is named with its place.
+// Setup, scenario and job: what the manual shows is read, and whatever is not understood is named
+// with its place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +58,8 @@ void expect_manual_setup(const Setup& setup, const std::string& folder) {
     EXPECT_EQ(one.keys.block_skip, (std::vector<int>{1, 3}));
     EXPECT_TRUE(one.keys.optional_stop && one.keys.dry_run);
     EXPECT_FALSE(one.keys.single_block);
-    EXPECT_EQ(one.subprograms, (std::vector<std::string>{folder + "/O0200.nc", "/abs/PROFILE.SPF"}));
+    EXPECT_EQ(one.subprograms,
+              (std::vector<std::string>{folder + "/O0200.nc", "/abs/PROFILE.SPF"}));
     EXPECT_EQ(one.offsets.at(3).geometry.t, 3.0);
     EXPECT_EQ(one.offsets.at(3).wear.x, 0.05);
     EXPECT_FALSE(one.offsets.at(3).wear.z);
@@ -72,7 +74,8 @@ void expect_manual_setup(const Setup& setup, const std::string& folder) {
 TEST(Setup, TheManualsExampleIsRead) {
     std::vector<Diagnosis> diagnoses;
     const text::Setup setup = parse_setup(kSetup, "/jobs/a.setup.toml", diagnoses);
-    for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
+    for (const Diagnosis& diagnosis : diagnoses)
+        ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     expect_manual_setup(setup, "/jobs");
 }
 
@@ -87,7 +90,8 @@ TEST(Setup, WrittenAndReadAgainItIsTheSame) {
 TEST(Setup, WholeTablesMayStandInOneLineWithQuotedKeys) {
     std::vector<Diagnosis> diagnoses;
     const text::Setup setup = parse_setup(
-        R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, "offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })", "s.toml", diagnoses);
+        R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, "offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })",
+        "s.toml", diagnoses);
     EXPECT_TRUE(diagnoses.empty());
     EXPECT_EQ(setup.channel(1).offsets.at(5).geometry.x, -12.4);
 }
@@ -95,7 +99,8 @@ TEST(Setup, WholeTablesMayStandInOneLineWithQuotedKeys) {
 // fanuc_lathe 10.4.2: an offset of the B axis, which stands in the Y column.
 TEST(Setup, GivesTheBAxisItsOffsets) {
     std::vector<Diagnosis> diagnoses;
-    const text::Setup setup = parse_setup("[channel.1.offset.1]\ngeometry = { B = 3.0 }\n", "s.toml", diagnoses);
+    const text::Setup setup =
+        parse_setup("[channel.1.offset.1]\ngeometry = { B = 3.0 }\n", "s.toml", diagnoses);
     EXPECT_TRUE(diagnoses.empty());
     EXPECT_EQ(setup.channel(1).offsets.at(1).geometry.y, 3.0);
 }
@@ -152,10 +157,12 @@ kill = "channel 2"
 release = "AP_SYNCR A3"
 )",
                                              "s.toml", diagnoses);
-    for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
+    for (const Diagnosis& diagnosis : diagnoses)
+        ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     ASSERT_EQ(scenario.stimuli.size(), 5u);
     EXPECT_EQ(scenario.stimuli[0].at_s, 1.5);
-    EXPECT_EQ(scenario.stimuli[1].when, R"({"ch":1,"ev":"wait","list":[1,true,"a\"b"],"pos":{"X":2.5}})");
+    EXPECT_EQ(scenario.stimuli[1].when,
+              R"({"ch":1,"ev":"wait","list":[1,true,"a\"b"],"pos":{"X":2.5}})");
     EXPECT_EQ(scenario.stimuli[1].after_s, 0.2);
     EXPECT_FALSE(scenario.stimuli[1].at_s);
     EXPECT_EQ(scenario.stimuli[2].for_s, 0.5);
@@ -167,8 +174,10 @@ release = "AP_SYNCR A3"
 TEST(Scenario, WhatIsNotUnderstoodIsNamed) {
     for (const char* text :
          {"[[at]]\npress = \"reset\"\n", "[[at]]\nt = 1\n", "[[at]]\nt = -1\npress = \"reset\"\n",
-          "[[at]]\nt = 1\nwhen = { ev = \"wait\" }\npress = \"reset\"\n", "[[at]]\nt = 1\npress = 5\n", "[[at]]\nt = 1\npush = \"reset\"\n", "[at]\nt = 1\n",
-          "[[at]]\nt = 1\nfor = 2\npress = \"reset\"\n", "x = 1\n", "[[at]]\nwhen = { d = 2026-01-01 }\npress = \"reset\"\n"}) {
+          "[[at]]\nt = 1\nwhen = { ev = \"wait\" }\npress = \"reset\"\n",
+          "[[at]]\nt = 1\npress = 5\n", "[[at]]\nt = 1\npush = \"reset\"\n", "[at]\nt = 1\n",
+          "[[at]]\nt = 1\nfor = 2\npress = \"reset\"\n", "x = 1\n",
+          "[[at]]\nwhen = { d = 2026-01-01 }\npress = \"reset\"\n"}) {
         SCOPED_TRACE(text);
         std::vector<Diagnosis> diagnoses;
         parse_scenario(text, "s.toml", diagnoses);
@@ -198,7 +207,8 @@ name = "roughing 80°"
 wanted = 100
 )",
                               "/jobs/shaft.job.toml", diagnoses);
-    for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
+    for (const Diagnosis& diagnosis : diagnoses)
+        ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     EXPECT_EQ(job.programs.at(1).file, "/jobs/O1001.nc");
     EXPECT_EQ(job.programs.at(1).language, "fanuc");
     EXPECT_EQ(job.programs.at(2).file, "/jobs/O2001.nc");
@@ -211,9 +221,11 @@ wanted = 100
 }
 
 TEST(Job, WhatIsNotUnderstoodIsNamed) {
-    for (const char* text :
-         {"name = \"a\"\n", "[programs]\n17 = \"a\"\n", "[programs]\n1 = { language = \"fanuc\" }\n", "[programs]\n1 = \"a\"\n[stock]\ndiameter = -1\n",
-          "[programs]\n1 = \"a\"\n[stock]\nspindle = \"main\"\n", "[programs]\n1 = \"a\"\n[parts]\nwanted = 1.5\n", "nonsense"}) {
+    for (const char* text : {"name = \"a\"\n", "[programs]\n17 = \"a\"\n",
+                             "[programs]\n1 = { language = \"fanuc\" }\n",
+                             "[programs]\n1 = \"a\"\n[stock]\ndiameter = -1\n",
+                             "[programs]\n1 = \"a\"\n[stock]\nspindle = \"main\"\n",
+                             "[programs]\n1 = \"a\"\n[parts]\nwanted = 1.5\n", "nonsense"}) {
         SCOPED_TRACE(text);
         std::vector<Diagnosis> diagnoses;
         parse_job(text, "j.job.toml", diagnoses);

@@ -17,12 +17,14 @@ std::string repeated(std::string_view piece, std::size_t times) {
 }
 
 TEST(TomlLimits, WhatPeopleWritePasses) {
-    for (const std::string& text : {
-             std::string("a.b.c = 1\n[channel.1.tool.1.edge.1]\nDP1 = 500\n"),
-             "values = [" + repeated("1.25, ", 20'000) + "]\n",                       // a dot in each number, none of a name
-             "text = \"" + repeated("a.b.", 1000) + "\" # " + repeated("c.d.", 1000) + "\n",
-             "text = '''\n" + repeated("[[[[ { = .\n", 1000) + "'''\nb = \"\"\"\\\"\"\"\"\n",
-             repeated("[[at]]\nt = 1.5\n", 5000), std::string("a = \"not closed\n[b]\n"), std::string()})
+    for (const std::string& text :
+         {std::string("a.b.c = 1\n[channel.1.tool.1.edge.1]\nDP1 = 500\n"),
+          // a dot in each number, none of a name
+          "values = [" + repeated("1.25, ", 20'000) + "]\n",
+          "text = \"" + repeated("a.b.", 1000) + "\" # " + repeated("c.d.", 1000) + "\n",
+          "text = '''\n" + repeated("[[[[ { = .\n", 1000) + "'''\nb = \"\"\"\\\"\"\"\"\n",
+          repeated("[[at]]\nt = 1.5\n", 5000), std::string("a = \"not closed\n[b]\n"),
+          std::string()})
         EXPECT_FALSE(beyond_toml_limits(text)) << text.substr(0, 60);
 }
 
@@ -32,10 +34,14 @@ TEST(TomlLimits, TheFirstPlaceBeyondThemIsNamed) {
         std::uint32_t line;
         const char* says;
     };
-    for (const Row& row : {Row{"a = 1\n" + repeated("k.", 50'000) + "k = 1\n", 2, "parts"}, Row{"[" + repeated("k.", 50'000) + "k]\n", 1, "parts"},
-                           Row{"[" + repeated("\"k\" . ", 20) + "k]\n", 1, "parts"}, Row{"a = " + repeated("[", 40) + repeated("]", 40), 1, "brackets"},
-                           Row{"a = " + repeated("{b=", 100'000), 1, "brackets"}, Row{"\n\n# " + repeated("x", 300'000), 3, "line"},
-                           Row{"a = \"" + repeated("x", 300'000) + "\"\n", 1, "line"}, Row{repeated(" ", 300'000), 1, "line"}}) {
+    for (const Row& row : {Row{"a = 1\n" + repeated("k.", 50'000) + "k = 1\n", 2, "parts"},
+                           Row{"[" + repeated("k.", 50'000) + "k]\n", 1, "parts"},
+                           Row{"[" + repeated("\"k\" . ", 20) + "k]\n", 1, "parts"},
+                           Row{"a = " + repeated("[", 40) + repeated("]", 40), 1, "brackets"},
+                           Row{"a = " + repeated("{b=", 100'000), 1, "brackets"},
+                           Row{"\n\n# " + repeated("x", 300'000), 3, "line"},
+                           Row{"a = \"" + repeated("x", 300'000) + "\"\n", 1, "line"},
+                           Row{repeated(" ", 300'000), 1, "line"}}) {
         const auto excess = beyond_toml_limits(row.text);
         ASSERT_TRUE(excess) << row.text.substr(0, 40);
         EXPECT_EQ(excess->line, row.line) << row.text.substr(0, 40);
@@ -45,7 +51,8 @@ TEST(TomlLimits, TheFirstPlaceBeyondThemIsNamed) {
 
 // Seen before: the stack of whoever reads it is full (50 000 tables in each other).
 TEST(TomlLimits, HoldForEveryReader) {
-    for (const std::string& text : {repeated("k.", 50'000) + "k = 1\n", "[" + repeated("k.", 50'000) + "k]\nx = 1\n"}) {
+    for (const std::string& text :
+         {repeated("k.", 50'000) + "k = 1\n", "[" + repeated("k.", 50'000) + "k]\nx = 1\n"}) {
         std::vector<Diagnosis> job, setup, scenario;
         (void)parse_job(text, "a.job.toml", job);
         (void)parse_setup(text, "setup.toml", setup);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 #include <vector>
+
 #include "tests/seeds.hpp"
 
 namespace polyturn::kernel {
@@ -18,12 +19,17 @@ public:
         for (const Stretch& s : stretches) EXPECT_TRUE(begin_stretch(s.begin, s.ceiling, s.limits));
         close(ends);
     }
+
 private:
     void more() noexcept override {}
 };
 
-double between(std::mt19937_64& random, double low, double high) { return std::uniform_real_distribution<>(low, high)(random); }
-double log_between(std::mt19937_64& random, double low, double high) { return std::exp(between(random, std::log(low), std::log(high))); }
+double between(std::mt19937_64& random, double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+}
+double log_between(std::mt19937_64& random, double low, double high) {
+    return std::exp(between(random, std::log(low), std::log(high)));
+}
 
 Limits random_limits(std::mt19937_64& random, double v, bool bends) {
     Limits l;
@@ -49,7 +55,8 @@ TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
         std::vector<Stretch> stretches;
         double at = 0;
         for (int n = 0; n < 8; ++n) {
-            stretches.push_back({at, v * between(random, 1.0, 3.0), random_limits(random, v, random() % 3 != 0)});
+            stretches.push_back(
+                {at, v * between(random, 1.0, 3.0), random_limits(random, v, random() % 3 != 0)});
             at += log_between(random, 0.01, 20);
         }
         Given road(stretches, at + 1e6);
@@ -62,16 +69,22 @@ TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
         for (int k = 0; k < kSteps; ++k) {
             const PathState moved = braking->follow(k * h, h);
             const PathState next{x.s + moved.s, moved.v, moved.a};
-            Limits most = {0, 0, 1e9, 1e9, 1e9, 1e9};   // of what the step touches
+            Limits most = {0, 0, 1e9, 1e9, 1e9, 1e9};  // of what the step touches
             double ceiling = 0;
             for (std::size_t n = 0; n < stretches.size(); ++n) {
-                if (stretches[n].begin > next.s || (n + 1 < stretches.size() && stretches[n + 1].begin < x.s)) continue;
+                if (stretches[n].begin > next.s ||
+                    (n + 1 < stretches.size() && stretches[n + 1].begin < x.s))
+                    continue;
                 most.widen(stretches[n].limits);
                 ceiling = std::max(ceiling, stretches[n].ceiling);
             }
-            const double j = (next.a - x.a) / h, u = (next.v + x.v) / 2, a = (next.a + x.a) / 2, u3 = u * u * u;
+            const double j = (next.a - x.a) / h, u = (next.v + x.v) / 2, a = (next.a + x.a) / 2,
+                         u3 = u * u * u;
             ASSERT_LE(std::hypot(a, most.bend * u * u), 1.008 * most.a) << k;
-            ASSERT_LE(std::hypot(std::abs(j) + most.along * u3, most.turning * u * std::abs(a) + most.across * u3), 1.01 * most.j) << k;
+            ASSERT_LE(std::hypot(std::abs(j) + most.along * u3,
+                                 most.turning * u * std::abs(a) + most.across * u3),
+                      1.01 * most.j)
+                << k;
             ASSERT_LE(next.v, ceiling * 1.001);
             x = next;
         }

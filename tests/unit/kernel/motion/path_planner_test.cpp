@@ -26,11 +26,16 @@ TEST(PathPlanner, KeepsLimitsWhenOverridesHoldsAndSingleBlockComeAtAnyTick) {
         std::mt19937_64 random(test_seed(seed * 77));
         rig.operate = [&](std::int64_t, PathInput& input) {
             const auto dice = random() % 1000;
-            if (dice < 5) input.feed_override = static_cast<double>(random() % 201) / 100;
-            else if (dice < 8) input.rapid_override = static_cast<double>(random() % 101) / 100;
-            else if (dice < 11) input.hold = true;
-            else if (dice < 40) input.hold = false;
-            else if (dice < 43) input.single_block = !input.single_block;
+            if (dice < 5)
+                input.feed_override = static_cast<double>(random() % 201) / 100;
+            else if (dice < 8)
+                input.rapid_override = static_cast<double>(random() % 101) / 100;
+            else if (dice < 11)
+                input.hold = true;
+            else if (dice < 40)
+                input.hold = false;
+            else if (dice < 43)
+                input.single_block = !input.single_block;
             if (dice < 30) input.feed_override = std::max(input.feed_override, 0.05);
             if (dice < 30) input.rapid_override = std::max(input.rapid_override, 0.05);
         };
@@ -47,9 +52,12 @@ TEST(PathPlanner, KeepsOnBendsWhatTheSpeedLeaves) {
         if (seed % 2 == 0) {
             rig.operate = [&](std::int64_t, PathInput& input) {
                 const auto dice = random() % 1000;
-                if (dice < 5) input.feed_override = static_cast<double>(5 + random() % 196) / 100;
-                else if (dice < 11) input.hold = true;
-                else if (dice < 40) input.hold = false;
+                if (dice < 5)
+                    input.feed_override = static_cast<double>(5 + random() % 196) / 100;
+                else if (dice < 11)
+                    input.hold = true;
+                else if (dice < 40)
+                    input.hold = false;
             };
         }
         const Judged judged = rig.drive(random_records(test_seed(seed), 40, true));
@@ -69,7 +77,9 @@ PlannedRecord record(double length, double feed = 1e6) {
 
 // Time-optimal rest to rest, jerk-limited.
 double shortest_time(double length, double v, double a, double j) {
-    const auto ramp = [&](double u) { return u <= a * a / j ? 2 * std::sqrt(u / j) : u / a + a / j; };
+    const auto ramp = [&](double u) {
+        return u <= a * a / j ? 2 * std::sqrt(u / j) : u / a + a / j;
+    };
     if (ramp(v) * v <= length) return 2 * ramp(v) + (length - ramp(v) * v) / v;
     double low = 0, high = v;
     for (int i = 0; i < 200; ++i) {
@@ -99,7 +109,8 @@ TEST(PathPlanner, DrivesAHundredThousandTinySegmentsAsOneLine) {
     PlannerRig rig;
     const Judged judged = rig.drive(records);
     ASSERT_EQ(judged.fault, "");
-    EXPECT_LE(static_cast<double>(judged.ticks), 1.002 * shortest_time(10'000, 300, 2000, 50'000) / rig.dt);
+    EXPECT_LE(static_cast<double>(judged.ticks),
+              1.002 * shortest_time(10'000, 300, 2000, 50'000) / rig.dt);
 }
 
 TEST(PathPlanner, CarriesAccelerationOverBlendsOfLowerLimits) {
@@ -116,7 +127,8 @@ TEST(PathPlanner, CarriesAccelerationOverBlendsOfLowerLimits) {
     rig.horizon = 4000;
     const Judged judged = rig.drive(records);
     ASSERT_EQ(judged.fault, "");
-    EXPECT_LE(static_cast<double>(judged.ticks), 1.01 * shortest_time(400, 270, 1000, 20'000) / rig.dt);
+    EXPECT_LE(static_cast<double>(judged.ticks),
+              1.01 * shortest_time(400, 270, 1000, 20'000) / rig.dt);
 }
 
 TEST(PathPlanner, ArrivesAtASlowCornerWithoutFallingBelowIt) {
@@ -157,7 +169,9 @@ TEST(PathPlanner, StandsWithinLimitsWhenTheRingRunsEmpty) {
         std::mt19937_64 random(test_seed(seed));
         PlannerRig rig;
         std::uint64_t there = 1;
-        rig.there = [&](std::int64_t, std::uint64_t) { return there += random() % 40 == 0 ? random() % 4 : 0; };
+        rig.there = [&](std::int64_t, std::uint64_t) {
+            return there += random() % 40 == 0 ? random() % 4 : 0;
+        };
         const Judged judged = rig.drive(random_records(test_seed(seed), 60));
         ASSERT_EQ(judged.fault, "");
     }
@@ -176,9 +190,11 @@ TEST(PathPlanner, HoldStopsWithinTheBrakingDistanceAndResumes) {
         PathStep step;
         const int hold_at = static_cast<int>(random() % 900) + 2;
         for (int tick = 0; tick < hold_at; ++tick) step = planner.tick(input);
-        const double limit = step.s + stopping_distance(step.speed, step.acceleration, 2000, 0.995 * 50'000);
+        const double limit =
+            step.s + stopping_distance(step.speed, step.acceleration, 2000, 0.995 * 50'000);
         input.hold = true;
-        for (int tick = 0; tick < 2000 && step.stands == Stands::Moving; ++tick) step = planner.tick(input);
+        for (int tick = 0; tick < 2000 && step.stands == Stands::Moving; ++tick)
+            step = planner.tick(input);
         ASSERT_EQ(step.stands, Stands::Held);
         ASSERT_LE(step.s, limit + 1e-6);
         const double stood = step.s;
@@ -227,11 +243,13 @@ TEST(PathPlanner, StandsBeforeARecordOfTheKernelAndGoesOnAfterIt) {
     last.stop_after = true;
     planner.append(last);
     PathStep step;
-    for (int tick = 0; tick < 1000 && step.stands != Stands::BeforeRecord; ++tick) step = planner.tick({});
+    for (int tick = 0; tick < 1000 && step.stands != Stands::BeforeRecord; ++tick)
+        step = planner.tick({});
     EXPECT_EQ(step.record, 8u);
     EXPECT_EQ(step.s, 0);
     planner.skip(9);
-    for (int tick = 0; tick < 1000 && !(step.record == 9 && step.s == 5); ++tick) step = planner.tick({});
+    for (int tick = 0; tick < 1000 && !(step.record == 9 && step.s == 5); ++tick)
+        step = planner.tick({});
     EXPECT_EQ(step.ended_from, 9u);
     EXPECT_EQ(step.ended_to, 10u);
     EXPECT_EQ(planner.tick({}).stands, Stands::NoRecord);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+
 #include "tests/seeds.hpp"
 
 namespace polyturn::kernel {
@@ -20,14 +21,16 @@ double worst_error(const std::function<double(double)>& angle, int settle, int t
     for (int tick = 0; tick < ticks; ++tick) {
         const double latched = tick * kDt;
         observer.update(static_cast<std::int64_t>(std::floor(angle(latched) * 4096 / 360)));
-        if (tick >= settle) worst = std::max(worst, std::abs(observer.angle() - angle(latched + kDt)));
+        if (tick >= settle)
+            worst = std::max(worst, std::abs(observer.angle() - angle(latched + kDt)));
     }
     return worst;
 }
 
 TEST(SpindleObserver, IsWithinTwoHundredthsOfADegreeAtSteadySpeed) {
     std::mt19937_64 random(test_seed(7));
-    for (double rpm : {300.0, 333.0, 400.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0, 1100.0, 1200.0, 1350.0, 1500.0}) {
+    for (double rpm : {300.0, 333.0, 400.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1000.0, 1100.0,
+                       1200.0, 1350.0, 1500.0}) {
         SCOPED_TRACE(rpm);
         for (int i = 0; i < 20; ++i) {
             const double begin = std::uniform_real_distribution<>(0, 360)(random);
@@ -48,7 +51,9 @@ TEST(SpindleObserver, IsNeverFurtherThanACountOffAtAnySteadySpeed) {
 TEST(SpindleObserver, FollowsASwingOfTwentyPercentAtOneHertzWithinATenthOfADegree) {
     for (double rpm : {300.0, 600.0, 1000.0, 1500.0}) {
         SCOPED_TRACE(rpm);
-        const auto angle = [&](double t) { return rpm * 6 * (t + 0.2 * (1 - std::cos(2 * M_PI * t)) / (2 * M_PI)); };
+        const auto angle = [&](double t) {
+            return rpm * 6 * (t + 0.2 * (1 - std::cos(2 * M_PI * t)) / (2 * M_PI));
+        };
         EXPECT_LT(worst_error(angle, 1000, 5000), 0.1);
     }
 }

@@ -10,9 +10,11 @@ int minus(Alarm alarm) { return -static_cast<int>(alarm); }
 
 TEST(TCall, TakesTheSisterWithTheLeastLifeLeftAndThenTheNext) {
     ToolRig rig;
-    const int first = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 10}}, 1, 3);
-    const int second = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 40}}, 1, 4);
-    EXPECT_EQ(rig.found(kType, 5), second);   // 20 min left, 50 in the other
+    const int first =
+        rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 10}}, 1, 3);
+    const int second =
+        rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 40}}, 1, 4);
+    EXPECT_EQ(rig.found(kType, 5), second);  // 20 min left, 50 in the other
     std::vector<toolmgmt::Change> changes;
     toolmgmt::use_up(*rig.values, second, LifeKind::Minutes, 20, changes);
     EXPECT_EQ(rig.found(kType, 5), first);
@@ -24,23 +26,26 @@ TEST(TCall, TakesTheSisterWithTheLeastLifeLeftAndThenTheNext) {
     EXPECT_EQ(rig.found(kType, 5), first);
 }
 
-// nct part 2, 30.3: "the sum of Life less the sum of Life counter over all tools with the same type number".
+// nct part 2, 30.3: "the sum of Life less the sum of Life counter over all tools with the same type
+// number".
 TEST(TCall, TellsWhatIsLeftOfAllSistersLockedBrokenOrWornOut) {
     ToolRig rig;
     rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 10}}, 1, 3);
-    const int locked = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 40}, {"locked", 1}}, 1, 4);
+    const int locked = rig.add(
+        {{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 40}, {"locked", 1}}, 1,
+        4);
     rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 30}, {"counter", 35}}, 1, 5);
     rig.add({{"type", 6}, {"life_kind", "minutes"}, {"life", 90}}, 1, 6);
     EXPECT_NE(rig.found(kType, 5), locked);
     EXPECT_DOUBLE_EQ(rig.call(kType, 5).group_left, 50 + 20 - 5);
-    rig.add({{"type", 5}}, 1, 7);   // one that is not watched lasts for ever
+    rig.add({{"type", 5}}, 1, 7);  // one that is not watched lasts for ever
     EXPECT_TRUE(std::isinf(rig.call(kType, 5).group_left));
 }
 
 TEST(TCall, GoesByTheCustomColumnWhereTcuSaysSo) {
     ToolRig rig;
     rig.set("N2904=2");
-    rig.set("N2901 L1=00000101");   // NM1 and TCU
+    rig.set("N2901 L1=00000101");  // NM1 and TCU
     rig.add({{"type", 5}, {"custom2", 7}}, 1, 3);
     const int least = rig.add({{"type", 5}, {"custom2", 3}}, 1, 4);
     EXPECT_EQ(rig.found(kType, 5), least);
@@ -52,10 +57,12 @@ TEST(TCall, SearchesTheMagazinesOfTheChannelOnly) {
     EXPECT_EQ(rig.found(kType, 5, {}, 1), upper);
     EXPECT_EQ(rig.found(kType, 5, {}, 2), lower);
     ASSERT_TRUE(rig.run({{"do", "tools.unload"}, {"tool", lower}}));
-    EXPECT_EQ(rig.found(kType, 5, {}, 2), minus(Alarm::ToolNotFound));   // NM1 is on, but magazine 1 is the other channel's turret
+    // NM1 is on, but magazine 1 is the other channel's turret
+    EXPECT_EQ(rig.found(kType, 5, {}, 2), minus(Alarm::ToolNotFound));
 }
 
-// Where nobody works with type numbers T is a station; one in which nothing stands is "no such tool", not a turret that comes round with nothing.
+// Where nobody works with type numbers T is a station; one in which nothing stands is "no such
+// tool", not a turret that comes round with nothing.
 TEST(TCall, OfAnEmptyStationIsNoTool) {
     ToolRig rig;
     EXPECT_EQ(rig.found(kType, 5), minus(Alarm::ToolNotFound));
@@ -81,7 +88,7 @@ TEST(TCall, NamesAPlaceByFourAndFourDigits) {
     EXPECT_EQ(there.tool, tool);
     EXPECT_EQ(there.magazine, 2);
     EXPECT_EQ(there.pot, 11);
-    EXPECT_EQ(rig.found(ToolCallBy::Place, 20012), 0);   // empty: the place comes into position
+    EXPECT_EQ(rig.found(ToolCallBy::Place, 20012), 0);  // empty: the place comes into position
     EXPECT_EQ(rig.found(ToolCallBy::Place, 20013), minus(Alarm::ToolPlaceUnknown));
 }
 
@@ -113,9 +120,11 @@ TEST(TCall, ByLocationFindsTheNameThereAndSearchesByTheStrategy) {
     EXPECT_EQ(rig.found(ToolCallBy::Location, 5), third);
     rig.set("PT_TOOL_SEARCH L1=2");
     EXPECT_EQ(rig.found(ToolCallBy::Location, 5), second);
-    EXPECT_EQ(rig.found(ToolCallBy::Name, 0, "rough"), minus(Alarm::ToolNotFound));   // case counts
-    EXPECT_EQ(rig.found(ToolCallBy::Location, 4), 0);                                 // an empty place acts like T0
-    EXPECT_EQ(rig.found(ToolCallBy::Forced, 1), 1);                                   // whatever its state
+    EXPECT_EQ(rig.found(ToolCallBy::Name, 0, "rough"), minus(Alarm::ToolNotFound));  // case counts
+    // an empty place acts like T0
+    EXPECT_EQ(rig.found(ToolCallBy::Location, 4), 0);
+    // whatever its state
+    EXPECT_EQ(rig.found(ToolCallBy::Forced, 1), 1);
 }
 
 TEST(TCall, TakesTheNextHigherDuploAfterTheActiveOne) {
@@ -133,7 +142,9 @@ TEST(TCall, TakesTheNextHigherDuploAfterTheActiveOne) {
 
 TEST(TCall, OfALifeGroupTakesItsToolsInOrder) {
     ToolRig rig;
-    const int second = rig.add({{"group", 3}, {"duplo", 2}}, 1, 1), first = rig.add({{"group", 3}, {"duplo", 1}, {"life_kind", "uses"}, {"life", 1}}, 1, 2);
+    const int second = rig.add({{"group", 3}, {"duplo", 2}}, 1, 1),
+              first =
+                  rig.add({{"group", 3}, {"duplo", 1}, {"life_kind", "uses"}, {"life", 1}}, 1, 2);
     EXPECT_EQ(rig.found(ToolCallBy::Group, 3), first);
     std::vector<toolmgmt::Change> changes;
     toolmgmt::use_up(*rig.values, first, LifeKind::Uses, 1, changes);
@@ -142,24 +153,28 @@ TEST(TCall, OfALifeGroupTakesItsToolsInOrder) {
 
 TEST(Places, AreBlockedByToolsThatNeedTheRoomBesideThem) {
     ToolRig rig;
-    rig.add({{"size_right", 2}}, 1, 3);   // reaches over the left half of place 4
+    rig.add({{"size_right", 2}}, 1, 3);  // reaches over the left half of place 4
     const int normal = rig.add({{"name", "normal"}});
     EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", normal}, {"magazine", 1}, {"pot", 4}}));
     EXPECT_EQ(rig.faults[0].diagnosis.alarm, Alarm::ToolPlaceSmall);
     EXPECT_EQ(rig.values->tool(normal)->magazine, 0);
-    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", normal}, {"magazine", 1}, {"pot", 5}})) << rig.said();
-    const int left = rig.add({{"size_left", 2}});   // 12 and 1 are neighbours: a ring
+    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", normal}, {"magazine", 1}, {"pot", 5}}))
+        << rig.said();
+    const int left = rig.add({{"size_left", 2}});  // 12 and 1 are neighbours: a ring
     rig.add({{"name", "last"}}, 1, 12);
     EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", left}, {"magazine", 1}, {"pot", 1}}));
 }
 
 TEST(Places, OfAMatrixHaveNeighboursAboveAndBelow) {
     ToolRig rig;
-    for (const char* line : {"N2905=00000100", "N2918=3", "N2919=4"}) rig.set(line);   // magazine 3: 3 rows of 4
+    // magazine 3: 3 rows of 4
+    for (const char* line : {"N2905=00000100", "N2918=3", "N2919=4"}) rig.set(line);
     rig.add({{"size_down", 2}}, 3, 2);
     const int tool = rig.add({});
-    EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", tool}, {"magazine", 3}, {"pot", 6}}));   // below it
-    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", tool}, {"magazine", 3}, {"pot", 7}})) << rig.said();
+    // below it
+    EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", tool}, {"magazine", 3}, {"pot", 6}}));
+    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", tool}, {"magazine", 3}, {"pot", 7}}))
+        << rig.said();
     EXPECT_TRUE(rig.run({{"do", "tools.unload"}, {"tool", tool}}));
     EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", tool}, {"magazine", 3}, {"pot", 13}}));
     EXPECT_EQ(rig.faults[0].diagnosis.alarm, Alarm::ToolPlaceUnknown);
@@ -171,11 +186,17 @@ TEST(Places, OfHalfStationsLieBetweenTheOthers) {
     rig.set("PT_TURRET_STATIONS L1=24");
     rig.add({}, 1, 3);
     const int slim = rig.add({{"size_left", 0.5}, {"size_right", 0.5}});
-    EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", slim}, {"magazine", 1}, {"pot", 15}}));   // half station behind 3: 1 + 0.5 > 1
-    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", slim}, {"magazine", 1}, {"pot", 16}})) << rig.said();
+    // half station behind 3: 1 + 0.5 > 1
+    EXPECT_FALSE(rig.run({{"do", "tools.load"}, {"tool", slim}, {"magazine", 1}, {"pot", 15}}));
+    EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", slim}, {"magazine", 1}, {"pot", 16}}))
+        << rig.said();
     toolmgmt::derive_places(*rig.values, *rig.places);
-    EXPECT_EQ(toolmgmt::way_between(*rig.places, *toolmgmt::find_place(*rig.places, 1, 3), *toolmgmt::find_place(*rig.places, 1, 15)), 0.5);
-    EXPECT_EQ(toolmgmt::way_between(*rig.places, *toolmgmt::find_place(*rig.places, 1, 1), *toolmgmt::find_place(*rig.places, 1, 12)), -1.0);
+    EXPECT_EQ(toolmgmt::travel_between(*rig.places, *toolmgmt::find_place(*rig.places, 1, 3),
+                                       *toolmgmt::find_place(*rig.places, 1, 15)),
+              0.5);
+    EXPECT_EQ(toolmgmt::travel_between(*rig.places, *toolmgmt::find_place(*rig.places, 1, 1),
+                                       *toolmgmt::find_place(*rig.places, 1, 12)),
+              -1.0);
 }
 
 TEST(Places, AreFoundNearestAndRefusedByKind) {
@@ -188,20 +209,25 @@ TEST(Places, AreFoundNearestAndRefusedByKind) {
     ASSERT_TRUE(rig.run({{"do", "tools.place"}, {"magazine", 1}, {"pot", 4}, {"locked", 1}}));
     const int third = rig.add({{"place_type", 1}});
     EXPECT_TRUE(rig.run({{"do", "tools.load"}, {"tool", third}})) << rig.said();
-    EXPECT_EQ(rig.answer["pot"], 12);   // a ring: 12 is as near to 1 as 2
+    EXPECT_EQ(rig.answer["pot"], 12);  // a ring: 12 is as near to 1 as 2
 }
 
 TEST(Spindle, TakesTheToolOnM06AndGivesTheOldOneItsPlaceBack) {
     ToolRig rig;
-    for (const char* line : {"PT_TURRET_MAGAZINE L1=0", "PT_DRIVEN_SPINDLE L1=3", "N2910=8", "N2922 S3=00000001"}) rig.set(line);
+    for (const char* line :
+         {"PT_TURRET_MAGAZINE L1=0", "PT_DRIVEN_SPINDLE L1=3", "N2910=8", "N2922 S3=00000001"})
+        rig.set(line);
     const int first = rig.add({{"type", 5}}, 1, 2), second = rig.add({{"type", 6}}, 1, 4);
     const auto tell = [&](StoreRequestKind kind, int tool, int field) {
         StoreRequest request{};
-        request.kind = static_cast<std::uint32_t>(kind), request.channel = 1, request.number = tool, request.field = field;
+        request.kind = static_cast<std::uint32_t>(kind);
+        request.channel = 1;
+        request.number = tool;
+        request.field = field;
         ASSERT_TRUE(toolmgmt::apply_tool_request(request, *rig.values));
     };
     tell(StoreRequestKind::ToolInPlace, first, 0);
-    EXPECT_EQ(rig.values->tools.in_channel[0], 0);   // called, not yet changed
+    EXPECT_EQ(rig.values->tools.in_channel[0], 0);  // called, not yet changed
     tell(StoreRequestKind::ToolChanged, first, 0);
     EXPECT_EQ(rig.values->tools.in_channel[0], first);
     EXPECT_EQ(rig.values->tool(first)->magazine, 30);
@@ -210,7 +236,7 @@ TEST(Spindle, TakesTheToolOnM06AndGivesTheOldOneItsPlaceBack) {
     EXPECT_EQ(rig.values->tool(second)->magazine, 30);
     EXPECT_EQ(rig.values->tool(first)->magazine, 1);
     EXPECT_EQ(rig.values->tool(first)->pot, 2);
-    EXPECT_FALSE(rig.run({{"do", "tools.unload"}, {"tool", second}}));   // it works
+    EXPECT_FALSE(rig.run({{"do", "tools.unload"}, {"tool", second}}));  // it works
 }
 
 }  // namespace

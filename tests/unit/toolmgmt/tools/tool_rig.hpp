@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/tool_fields.hpp"
+#include "ipc/machine/store/tool_fields.hpp"
 #include "ipc/params/param_file.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/places.hpp"
@@ -42,25 +42,39 @@ struct ToolRig {
     }
     // True when it was done; what was changed is taken back otherwise, as the service does.
     bool run(const Json& request, UserLevel level = UserLevel::Maker) {
-        toolmgmt::Work work{*values, machine, nullptr, {level, 0, "tester"}, {}, {}, position, touch, {}, {}, false, {}};
+        toolmgmt::Work work{*values, machine, nullptr,  {level, 0, "tester"},
+                            {},      {},      position, touch,
+                            {},      {},      false,    {}};
         work.compensation_file = compensation_file;
         answer = toolmgmt::run_operation(request, work);
         for (const auto& act : work.after)
-            if (const Result<void> done = work.good() && !compensation_file.empty() ? act() : Result<void>{}; !done) work.fault(done.diagnosis());
+            if (const Result<void> done =
+                    work.good() && !compensation_file.empty() ? act() : Result<void>{};
+                !done)
+                work.fault(done.diagnosis());
         faults = work.faults;
         if (!work.good() && !work.keep)
-            for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at) toolmgmt::write_value(*values, at->key, at->before, at->text_before, at->is_text);
+            for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at)
+                toolmgmt::write_value(*values, at->key, at->before, at->text_before, at->is_text);
         return work.good();
     }
     std::string said() const {
         std::string out;
-        for (const auto& fault : faults) out += "row " + std::to_string(fault.row) + " " + fault.column + ": " + fault.diagnosis.text() + "\n";
+        for (const auto& fault : faults)
+            out += "row " + std::to_string(fault.row) + " " + fault.column + ": " +
+                   fault.diagnosis.text() + "\n";
         return out;
     }
     int add(const Json& fields, int magazine = 0, int pot = 0) {
-        EXPECT_TRUE(run({{"do", "tools.add"}, {"fields", fields.is_null() ? Json::object() : fields}})) << said();
+        EXPECT_TRUE(
+            run({{"do", "tools.add"}, {"fields", fields.is_null() ? Json::object() : fields}}))
+            << said();
         const int tool = answer.value("tool", 0);
-        if (magazine) { EXPECT_TRUE(run({{"do", "tools.load"}, {"tool", tool}, {"magazine", magazine}, {"pot", pot}})) << said(); }
+        if (magazine) {
+            EXPECT_TRUE(
+                run({{"do", "tools.load"}, {"tool", tool}, {"magazine", magazine}, {"pot", pot}}))
+                << said();
+        }
         return tool;
     }
     ToolAnswer call(ToolCallBy by, double value, std::string_view name = {}, unsigned channel = 1) {

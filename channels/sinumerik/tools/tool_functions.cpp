@@ -1,0 +1,277 @@
+// Tools and edges by name, group and D number (sinumerik_part3 7.17, 9.5; part 1 6.6).
+//
+// An edge is called by its D number. That is the edge's own number until SETDNO gives it another;
+// DZERO takes the numbers of all edges, and only SETDNO brings them back. Tools of one name are a
+// group, in the order of their duplo numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "channels/sinumerik/interpreter.hpp"
+#include "ipc/machine/store/tool_fields.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr int kDone = 0, kNoTool = -1, kSeveral = -2;  // answers: found, none, more than one
+constexpr int kMostD = 32000;
+
+int d_number(int edge, const Edge& data) { return data.d_number < 0 ? edge : data.d_number; }
+
+std::vector<int> d_numbers(const Tool& tool) {
+    std::vector<int> all;
+    for (const auto& [number, edge] : tool.edges)
+        if (const int d = d_number(number, edge); d > 0) all.push_back(d);
+    return all;
+}
+
+// Is no D number that both have the one asked for (0: any)?
+bool apart(const Tool& a, const Tool& b, int d) {
+    const std::vector<int> others = d_numbers(b);
+    return std::ranges::none_of(d_numbers(a), [&](int one) {
+        return (d == 0 || one == d) && std::ranges::find(others, one) != others.end();
+    });
+}
+
+}  // namespace
+
+int Interpreter::edge_of_d(const Tool& tool, int d) {
+    for (const auto& [number, edge] : tool.edges)
+        if (d > 0 && d_number(number, edge) == d) return number;
+    return 0;
+}
+
+std::vector<std::int64_t> Interpreter::tools_named(const std::string& name) const {
+    std::vector<std::int64_t> group;
+    for (const auto& [number, tool] : tools_)
+        if (!name.empty() && tool.name == name) group.push_back(number);
+    std::ranges::stable_sort(group, {},
+                             [&](std::int64_t number) { return tools_.at(number).duplo; });
+    return group;
+}
+
+// The tool of that name and duplo number (the first where none is asked for); 0: there is none.
+std::int64_t Interpreter::tool_named(const Call& c, std::size_t duplo) const {
+    const std::vector<std::int64_t> group = tools_named(c.value(0).text);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        const std::int32_t given = tools_.at(group[i]).duplo;
+        if (!c.has(duplo) || c.number(duplo) == (given ? given : static_cast<double>(i + 1)))
+            return group[i];
+    }
+    return 0;
+}
+
+bool Interpreter::f_gett(Call& c) {
+    const std::int64_t found = tool_named(c, 1);
+    c.result = Value::of_int(found ? static_cast<double>(found) : -1.0);
+    return true;
+}
+
+bool Interpreter::f_newt(Call& c) {
+    std::int64_t number = 1;
+    while (tools_.contains(number)) ++number;
+    if (number > 32000) return fail(Alarm::FunctionArgument, "NEWT", static_cast<double>(number));
+    undo([this, number] { tools_.erase(number); });
+    Tool& tool = tools_[number];
+    tool.name = c.value(0).text;
+    tool.duplo = c.has(1) ? static_cast<std::int32_t>(c.number(1)) : 0;
+    tool.edges[1];
+    c.result = Value::of_int(static_cast<double>(number));
+    return true;
+}
+
+bool Interpreter::p_delt(Call& c) {
+    const std::int64_t number = tool_named(c, 1);
+    if (!number || number == modal_.tool) return fail(Alarm::ToolUnknown, c.value(0).text);
+    undo([this, number, before = tools_.at(number)] { tools_[number] = before; });
+    tools_.erase(number);
+    return true;
+}
+
+// --- D numbers
+
+bool Interpreter::f_getdno(Call& c) {  // (t, edge): 0 where it has none
+    const auto tool = tools_.find(static_cast<std::int64_t>(c.number(0)));
+    const auto edge = static_cast<int>(c.number(1));
+    const bool there = tool != tools_.end() && tool->second.edges.contains(edge);
+    c.result = Value::of_int(there ? d_number(edge, tool->second.edges.at(edge)) : 0);
+    return true;
+}
+
+// (t, edge, d): TRUE where it has been done. A number that another edge of the tool has is refused:
+// D would mean two.
+bool Interpreter::f_setdno(Call& c) {
+    const auto tool = tools_.find(static_cast<std::int64_t>(c.number(0)));
+    const auto edge = static_cast<int>(c.number(1)), d = static_cast<int>(c.number(2));
+    c.result = Value::of_bool(false);
+    if (tool == tools_.end() || !tool->second.edges.contains(edge) || d < 1 || d > kMostD)
+        return true;
+    if (const int other = edge_of_d(tool->second, d); other != 0 && other != edge) return true;
+    int& cell = tool->second.edges.at(edge).d_number;
+    undo([this, number = tool->first, edge, before = cell] {
+        tools_[number].edges[edge].d_number = before;
+    });
+    cell = d;
+    c.result = Value::of_bool(true);
+    return true;
+}
+
+bool Interpreter::p_dzero(Call&) {
+    undo([this, before = tools_] { tools_ = before; });
+    for (auto& [number, tool] : tools_)
+        for (auto& [edge, data] : tool.edges) data.d_number = 0;
+    return true;
+}
+
+// CHKDNO([t1[, t2[, d]]]): TRUE where no D number (or not this one) is in two tools.
+bool Interpreter::f_chkdno(Call& c) {
+    const auto known = [&](std::size_t i) {
+        return !c.has(i) || tools_.contains(static_cast<std::int64_t>(c.number(i)));
+    };
+    if (!known(0) || !known(1)) {
+        c.result = Value::of_bool(false);
+        return true;
+    }
+    const auto d = static_cast<int>(c.number(2));
+    bool unique = true;
+    for (const auto& [a, one] : tools_)
+        for (const auto& [b, other] : tools_) {
+            if (a == b || (c.has(0) && a != static_cast<std::int64_t>(c.number(0))) ||
+                (c.has(1) && b != static_cast<std::int64_t>(c.number(1))))
+                continue;
+            unique = unique && apart(one, other, d);
+        }
+    c.result = Value::of_bool(unique);
+    return true;
+}
+
+// CHKDM(magazine[, d]): the same among the tools that stand in it.
+bool Interpreter::f_chkdm(Call& c) {
+    if (!managed()) return fail(Alarm::NotBuilt, "CHKDM without tool management (N2900)");
+    if (!need_fresh()) return false;
+    const auto& rows = core_.port().tool_table()->rows;
+    const auto stands = [&](std::int64_t number) {
+        const ToolRow& row = rows[static_cast<std::size_t>(number - 1)];
+        return row.used && row.magazine == static_cast<std::int32_t>(c.number(0));
+    };
+    bool unique = true;
+    for (auto a = tools_.begin(); a != tools_.end(); ++a)
+        for (auto b = std::next(a); b != tools_.end(); ++b)
+            if (a->first <= static_cast<std::int64_t>(kTools) &&
+                b->first <= static_cast<std::int64_t>(kTools) && stands(a->first) &&
+                stands(b->first))
+                unique = unique && apart(a->second, b->second, static_cast<int>(c.number(1)));
+    c.result = Value::of_bool(unique);
+    return true;
+}
+
+bool Interpreter::f_getacttd(Call& c) {  // (VAR t, d): whose D number that is
+    std::int64_t found = 0;
+    int answer = kNoTool;
+    for (const auto& [number, tool] : tools_) {
+        if (!edge_of_d(tool, static_cast<int>(c.number(1)))) continue;
+        if (found == 0) found = number;
+        answer = answer == kNoTool ? kDone : kSeveral;
+    }
+    store(c.arguments[0].reference, Value::of_int(static_cast<double>(found)));
+    c.result = Value::of_int(answer);
+    return true;
+}
+
+// (t[, edge]): sum and set-up offsets of the edge, or of all edges, become 0.
+bool Interpreter::f_deldl(Call& c) {
+    const auto tool = tools_.find(static_cast<std::int64_t>(c.number(0)));
+    const int wanted = c.has(1) ? static_cast<int>(c.number(1)) : 0;
+    if (tool == tools_.end() || (wanted && !tool->second.edges.contains(wanted))) {
+        c.result = Value::of_int(kNoTool);
+        return true;
+    }
+    undo([this, number = tool->first, before = tool->second] { tools_[number] = before; });
+    for (auto& [edge, data] : tool->second.edges)
+        if (wanted == 0 || edge == wanted) {
+            data.sum = {};
+            data.setup = {};
+        }
+    c.result = Value::of_int(kDone);
+    return true;
+}
+
+// --- groups
+
+bool Interpreter::f_toolgnt(Call& c) {
+    c.result = Value::of_int(static_cast<double>(tools_named(c.value(0).text).size()));
+    return true;
+}
+
+bool Interpreter::f_toolgt(Call& c) {  // (name, i): the i-th of the group, 0 where there is none
+    const std::vector<std::int64_t> group = tools_named(c.value(0).text);
+    const double i = c.number(1);
+    c.result = Value::of_int(i >= 1 && i <= static_cast<double>(group.size())
+                                 ? static_cast<double>(group[static_cast<std::size_t>(i) - 1])
+                                 : 0.0);
+    return true;
+}
+
+// (VAR t, name): the one of the group that works: the active one of tool management, else the tool
+// that cuts, else the first.
+bool Interpreter::f_getactt(Call& c) {
+    const std::vector<std::int64_t> group = tools_named(c.value(1).text);
+    std::int64_t found = group.empty() ? 0 : group.front();
+    if (std::ranges::find(group, modal_.tool) != group.end()) found = modal_.tool;
+    if (managed()) {
+        if (!need_fresh()) return false;
+        for (const std::int64_t number : group)
+            if (number <= static_cast<std::int64_t>(kTools) &&
+                core_.port().tool_table()->rows[static_cast<std::size_t>(number - 1)].state &
+                    kToolActive)
+                found = number;
+    }
+    store(c.arguments[0].reference, Value::of_int(static_cast<double>(found)));
+    c.result = Value::of_int(found ? kDone : kNoTool);
+    return true;
+}
+
+// --- calls that are no T
+
+// TCA(name[, duplo[, holder]]): this tool, whatever its state. Tool management is asked as T asks
+// it.
+bool Interpreter::p_tca(Call& c) {
+    const std::string& name = c.value(0).text;
+    const std::int64_t number = tool_named(c, 1);
+    if (!number)
+        return fail(Alarm::ToolUnknown,
+                    c.has(1) ? fmt::format("{}/{:.0f}", name, c.number(1)) : name);
+    return call_tool(number, ToolCallBy::Forced);
+}
+
+bool Interpreter::p_tml(Call& c) {  // TML(location): the tool that stands there
+    if (c.number(0) != std::floor(c.number(0))) return fail(Alarm::PointForbidden, "TML");
+    return call_tool(static_cast<std::int64_t>(c.number(0)), ToolCallBy::Location);
+}
+
+bool Interpreter::call_tool(std::int64_t number, ToolCallBy by) {
+    if (!managed()) {
+        if (!settings_.tool_checked_late && number && !tools_.contains(number))
+            return fail(Alarm::ToolUnknown, std::to_string(number));
+        core_.aux('T', static_cast<double>(number), fmt::format("T{}", number), false);
+        modal_.tool_selected = number;
+    } else {
+        if (managed_serial_ != core_.at.serial) {
+            if (!need_fresh()) return false;
+            core_.aux('T', static_cast<double>(number), fmt::format("T{}", number), false, false,
+                      by);
+            managed_serial_ = core_.at.serial;
+            // its answer first
+            if (!settings_.tool_by_m6) {
+                needs_barrier_ = true;
+                return false;
+            }
+        }
+        modal_.tool_selected =
+            settings_.tool_by_m6 ? 0
+                                 : core_.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
+    }
+    return settings_.tool_by_m6 || change_tool();
+}
+
+}  // namespace polyturn::channels::sinumerik

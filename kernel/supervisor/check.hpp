@@ -1,7 +1,0 @@
-// `polyturn check`: programs are interpreted without a kernel, and their waits are matched.
-#pragma once
-#include "kernel/supervisor/options.hpp"
-
-namespace polyturn::supervisor {
-int check_programs(const JobOptions& options);  // exit status
-}

@@ -1,7 +1,0 @@
-// `polyturn params`: the parameters of a machine file, or of a running controller (--instance).
-#pragma once
-#include "kernel/supervisor/options.hpp"
-
-namespace polyturn::supervisor {
-int params_verb(const ParamsOptions& options);
-}

@@ -1,8 +1,0 @@
-// `polyturn run`: programs on a private controller of their own, in real or virtual time, with everything that happens
-// printed as events (cli.md 4).
-#pragma once
-#include "kernel/supervisor/options.hpp"
-
-namespace polyturn::supervisor {
-int run_programs(const JobOptions& options);  // exit status
-}

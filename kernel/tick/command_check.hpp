@@ -1,0 +1,51 @@
+// Commands come out of the supervisor's memory, as records out of a channel's: what acts is a copy
+// that was looked at once. Objects (axes, spindles, slots, inputs) are compared with what there is
+// where they are used; here stands what a number of a command may be at all.
+#pragma once
+#include <cmath>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::kernel {
+
+// The name of the field that cannot be, nullptr: none.
+inline const char* fault_of(const Command& c) noexcept {
+    constexpr double kFarthest = 1e9;  // mm, degrees, seconds, clicks
+    const auto kind = static_cast<CommandKind>(c.kind);
+    if (c.text.back() != 0) return "text";
+    // there it is a bit of the signal
+    if (c.channel >
+        (kind == CommandKind::SetSignal ? 32u : static_cast<std::uint32_t>(kMaxChannels)))
+        return "channel";
+    const auto among = [&](double least, double last) {
+        return c.value >= least && c.value <= last ? nullptr : "value";
+    };
+    switch (kind) {
+        case CommandKind::Mode:
+            return among(0, static_cast<double>(ChannelMode::Reference));
+        case CommandKind::Select:
+            return among(0, static_cast<double>(Dialect::Mefi));
+        case CommandKind::Scope:
+            return among(0, static_cast<double>(ScopeKind::Input));
+        case CommandKind::DriveFault:
+            return among(0, 65'535);
+        case CommandKind::SetSignal:
+            return among(-2'147'483'648.0, 2'147'483'647.0);
+        case CommandKind::Jog:
+        case CommandKind::Step:
+        case CommandKind::Handwheel:
+        case CommandKind::WarmUp:
+        case CommandKind::Restart:
+        case CommandKind::Sensor:
+            return among(-kFarthest, kFarthest);
+        case CommandKind::StoreValue:
+        // no number empties a variable
+        case CommandKind::DialogueValue:
+            return std::isinf(c.value) ? "value" : nullptr;
+        default:
+            return std::isfinite(c.value) ? nullptr : "value";
+    }
+}
+
+}  // namespace polyturn::kernel

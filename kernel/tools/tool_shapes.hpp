@@ -1,0 +1,11 @@
+// Outlines of the tools that stand in the turrets, as protection guards them
+// (ipc/machine/bodies/tool_shapes.hpp): read by a thread that may take its time, then handed to the
+// cyclic thread as plain numbers.
+#pragma once
+#include "ipc/machine/bodies/tool_shapes.hpp"
+
+namespace polyturn::kernel {
+using polyturn::read_tool_shapes;
+using polyturn::ToolShape;
+using polyturn::ToolShapes;
+}  // namespace polyturn::kernel

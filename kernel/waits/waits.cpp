@@ -1,0 +1,119 @@
+#include "kernel/waits/waits.hpp"
+
+namespace polyturn::kernel {
+
+void WaitBoard::mark(Marks& marks, unsigned channel, std::int32_t code, bool on) noexcept {
+    if (code < 0)
+        marks[channel].fill(on);
+    else if (code < kMarkers)
+        marks[channel][static_cast<std::size_t>(code)] = on;
+}
+
+bool WaitBoard::marked(const Marks& marks, unsigned channel, std::int32_t code) noexcept {
+    return code >= 0 && code < kMarkers && marks[channel][static_cast<std::size_t>(code)];
+}
+
+// Is `other` where a channel that has come like this wants to meet it?
+bool WaitBoard::meets(std::int32_t code, ChannelSet set, const Phase& as,
+                      unsigned other) const noexcept {
+    const bool searches = as.kind == Kind::Search;
+    // who restarts too has not come to its end
+    if (code == kProgramEnd) return !searches && standing_[other].ended;
+    const Arrival& there = arrivals_[other];
+    return (counts(other) && there.code == code && there.set == set && phase(other) == as) ||
+           marked(searches ? searched_ : marks_, other, code);
+}
+
+ChannelSet WaitBoard::missing(unsigned channel, ChannelSet no_wait) const noexcept {
+    const Arrival& mine = arrivals_[channel];
+    const Phase as = phase(channel);
+    ChannelSet out = 0;
+    for (unsigned k = 0; k < kMaxChannels; ++k) {
+        const ChannelSet bit = ChannelSet{1} << k;
+        if (k == channel || !(mine.set & bit) || (no_wait & bit)) continue;
+        if (!meets(mine.code, mine.set, as, k)) out |= bit;
+    }
+    return out;
+}
+
+ChannelSet WaitBoard::unlike(unsigned channel, ChannelSet no_wait) const noexcept {
+    const Arrival& mine = arrivals_[channel];
+    ChannelSet out = missing(channel, no_wait);
+    for (unsigned k = 0; k < kMaxChannels; ++k)
+        if (!counts(k) || arrivals_[k].code != mine.code || arrivals_[k].set != mine.set ||
+            phase(k) == phase(channel))
+            out &= ~(ChannelSet{1} << k);
+    return out;
+}
+
+bool WaitBoard::open_for(unsigned channel, std::int32_t code, ChannelSet set, ChannelSet no_wait,
+                         Phase as) const noexcept {
+    if (no_wait >> channel & 1u) return true;
+    as = phase(as, channel);
+    for (unsigned k = 0; k < kMaxChannels; ++k) {
+        const ChannelSet bit = ChannelSet{1} << k;
+        if (k == channel || !(set & bit) || (no_wait & bit)) continue;
+        if (!meets(code, set, as, k)) return false;
+    }
+    return true;
+}
+
+ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
+    ChannelSet out = 0;
+    for (unsigned c = 0; c < kMaxChannels; ++c)
+        if (counts(c) && ((no_wait >> c & 1u) || missing(c, no_wait) == 0))
+            out |= ChannelSet{1} << c;
+    // Decided for all before anybody leaves: the partners of one meeting see each other.
+    for (unsigned c = 0; c < kMaxChannels; ++c)
+        if (out >> c & 1u) {
+            Marks& marks = arrivals_[c].phase.kind == Kind::Search ? searched_ : marks_;
+            arrivals_[c].here = false;
+            if (marked(marks, c, arrivals_[c].code)) mark(marks, c, arrivals_[c].code, false);
+        }
+    return out;
+}
+
+WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const noexcept {
+    const Arrival& mine = arrivals_[channel];
+    if (!counts(channel)) return {};
+    // nobody but these can be meant by a fault: what else stands in the way, the operator takes
+    // away
+    ChannelSet alike = 0;
+    for (unsigned k = 0; k < kMaxChannels; ++k)
+        if (counts(k) && phase(k) == phase(channel)) alike |= ChannelSet{1} << k;
+    for (unsigned k = 0; k < kMaxChannels; ++k) {
+        const Arrival& other = arrivals_[k];
+        if (mine.code != kProgramEnd && k != channel && (alike >> k & 1u) &&
+            other.code == mine.code && other.set != mine.set && (other.set & mine.set))
+            return {Fault::OtherSet, ChannelSet{1} << k};
+    }
+    // A channel leaves only when all that it misses have come, so one stuck partner suffices: walk
+    // from this channel along «misses, and that one waits elsewhere»; coming back to it closes a
+    // circle. Only circles through the newcomer are new.
+    ChannelSet reached = 0, frontier = ChannelSet{1} << channel;
+    std::array<std::uint8_t, kMaxChannels> from{};
+    while (frontier) {
+        ChannelSet next = 0;
+        for (unsigned c = 0; c < kMaxChannels; ++c) {
+            if (!(frontier >> c & 1u)) continue;
+            const ChannelSet lacks = missing(c, no_wait);
+            for (unsigned k = 0; k < kMaxChannels; ++k) {
+                const ChannelSet bit = ChannelSet{1} << k;
+                if (!(lacks & alike & bit) || (reached & bit)) continue;
+                from[k] = static_cast<std::uint8_t>(c);
+                reached |= bit;
+                next |= bit;
+            }
+        }
+        if (reached >> channel & 1u) {
+            ChannelSet circle = 0;
+            for (unsigned c = from[channel]; c != channel; c = from[c])
+                circle |= ChannelSet{1} << c;
+            return {Fault::Circle, circle};
+        }
+        frontier = next;
+    }
+    return {};
+}
+
+}  // namespace polyturn::kernel
