@@ -10,6 +10,7 @@
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/screens/graphics/graphics_look.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/set_words.hpp"
 
 namespace polyturn::hmi {
 namespace {

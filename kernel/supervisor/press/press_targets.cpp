@@ -10,6 +10,15 @@
 #include "kernel/supervisor/press/signal_words.hpp"
 
 namespace polyturn::supervisor {
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> out;
+    for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+        out.push_back(line.substr(at, end - at));
+        at = end;
+    }
+    return out;
+}
 
 std::optional<double> number_of(std::string_view word) {
     if (!word.empty() && word[0] == '+') word.remove_prefix(1);

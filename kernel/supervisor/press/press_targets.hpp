@@ -11,6 +11,8 @@
 
 namespace polyturn::supervisor {
 
+// Between blanks and tabs.
+std::vector<std::string_view> words_of(std::string_view line);
 std::optional<double> number_of(std::string_view word);  // with or without a sign
 std::optional<bool> on_off(std::string_view word);
 

@@ -114,16 +114,6 @@ constexpr double kHighestKey = 1'000'000;     // of a dialogue
 // order of ChannelMode
 constexpr std::string_view kModes[] = {"auto", "mdi", "jog", "handwheel", "reference"};
 
-std::vector<std::string_view> split(std::string_view words) {
-    std::vector<std::string_view> out;
-    for (words = trimmed(words); !words.empty(); words = trimmed(words)) {
-        const auto end = words.find_first_of(" \t");
-        out.push_back(words.substr(0, end));
-        words.remove_prefix(out.back().size());
-    }
-    return out;
-}
-
 Diagnosis fault(Alarm alarm, std::string detail) {
     return Diagnosis{alarm, {}, {}, std::move(detail)};
 }
@@ -141,7 +131,7 @@ public:
           const std::string& folder)
         : word_(word),
           rest_(trimmed(rest)),
-          parts_(split(rest_)),
+          parts_(words_of(rest_)),
           machine_(machine),
           folder_(folder) {}
 

@@ -24,16 +24,6 @@ constexpr std::string_view kFields = "XYZRT";                           // order
 constexpr double kLargest = 100'000;
 constexpr std::string_view kShape = "offset L1 3 wear X=0.05 or zero L1 G54 Z=-150";
 
-std::vector<std::string_view> split(std::string_view words) {
-    std::vector<std::string_view> out;
-    for (std::size_t at = 0; (at = words.find_first_not_of(" \t", at)) != std::string_view::npos;) {
-        const std::size_t end = std::min(words.find_first_of(" \t", at), words.size());
-        out.push_back(words.substr(at, end - at));
-        at = end;
-    }
-    return out;
-}
-
 Diagnosis wrong(std::string detail) {
     return Diagnosis{Alarm::PressArgument, {}, {}, std::move(detail)};
 }
@@ -46,7 +36,7 @@ std::string_view text_of(const Command& c) {
 
 Result<Command> parse_store_value(std::string_view name, std::string_view value,
                                   const MachineConfig& machine) {
-    const auto parts = split(name);
+    const auto parts = words_of(name);
     const auto number = number_of(value);
     if (number && std::abs(*number) > kLargest)
         return wrong(fmt::format("{}={}: out of range (at most {:g})", name, value, kLargest));
