@@ -2,6 +2,7 @@
 // computer that may be busy: the PLC gets time, and what takes a while is waited for.
 #pragma once
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <QElapsedTimer>
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <algorithm>
+#include <csignal>
 #include <functional>
 
 #include "hmi/app/main_window.hpp"
@@ -54,6 +56,8 @@ public:
         const QStringList machine = machine_.isEmpty() ? QStringList() : QStringList{machine_};
         QStringList own;
         for (const QString& one : parameters_) own << "--set" << one;
+        // A test that crashes leaves no controller behind.
+        process_.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
         process_.start(program(),
                        QStringList{"start"}
                            << machine << own
