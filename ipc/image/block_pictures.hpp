@@ -19,24 +19,28 @@ namespace polyturn {
 
 // Writer: the draft holds from its serial on.
 inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) noexcept {
+    // P4: own head. P5: a serial seen too early is found out (B3)
     const std::uint64_t head = channel.pictures.head.load(std::memory_order_relaxed);
     channel.picture_serials[head % kPictures].store(picture.serial, std::memory_order_relaxed);
     channel.pictures.slot(head) = picture;
+    // P1: the picture is complete
     channel.pictures.head.store(head + 1, std::memory_order_release);
 }
 
 // Reader: false when nothing is known about that block; `out` is then as it was.
 [[nodiscard]] inline bool find_picture(const ChannelSegment& channel, std::uint64_t serial,
                                        BlockPicture& out) noexcept {
+    // P1: from first to head all pictures are complete
     const std::uint64_t first = channel.picture_first.load(std::memory_order_acquire),
                         head = channel.pictures.head.load(std::memory_order_acquire);
     for (std::uint64_t at = head; at > first && head - at < kPictures - 1; --at) {
+        // P5, B3
         if (channel.picture_serials[(at - 1) % kPictures].load(std::memory_order_relaxed) > serial)
             continue;
         BlockPicture copy;
         std::memcpy(static_cast<void*>(&copy), &channel.pictures.slot(at - 1), sizeof copy);
+        // P5, B2: not lost while it was copied
         std::atomic_thread_fence(std::memory_order_acquire);
-        // B2
         if (channel.pictures.head.load(std::memory_order_relaxed) - (at - 1) >= kPictures ||
             copy.serial > serial)
             return false;

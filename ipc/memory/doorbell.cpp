@@ -31,6 +31,7 @@ void Doorbell::ring() noexcept {
 
 void Doorbell::wait(std::uint32_t seen_value, std::int64_t timeout_us, int spins) const noexcept {
     for (int i = 0; i < spins; ++i) {
+        // P6: what the ring announces is looked for behind this
         if (rings.load(std::memory_order_acquire) != seen_value) return;
         cpu_pause();
     }

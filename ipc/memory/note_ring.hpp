@@ -31,9 +31,11 @@ public:
     // False when there is no room: wait for the reader. Texts up to a quarter of the ring.
     [[nodiscard]] bool push(std::uint64_t number, std::string_view text) noexcept {
         const std::uint64_t need = (16 + text.size() + 7) & ~std::uint64_t{7};
+        // P4: own head
         auto head = half_->head.load(std::memory_order_relaxed);
         const std::uint64_t at = head & (kNoteRing - 1), to_end = kNoteRing - at;
         const std::uint64_t skip = to_end < need ? to_end : 0;
+        // P2: the reader has copied what lay there
         if (head + skip + need - tail_->load(std::memory_order_acquire) > kNoteRing) return false;
         if (skip) {
             std::memset(&half_->bytes[at], 0, 8);
@@ -44,6 +46,7 @@ public:
         std::memcpy(to, &size, 4);
         std::memcpy(to + 8, &number, 8);
         std::memcpy(to + 16, text.data(), text.size());
+        // P1: the note is complete
         half_->head.store(head + need, std::memory_order_release);
         return true;
     }
@@ -59,6 +62,7 @@ public:
         : half_(&half), tail_(&tail) {}
     // The oldest note, good until pop(). False when there is none.
     [[nodiscard]] bool front(std::uint64_t& number, std::string_view& text) noexcept {
+        // P4: own tail. P1: the notes before head are complete
         auto tail = tail_->load(std::memory_order_relaxed);
         const auto head = half_->head.load(std::memory_order_acquire);
         while (tail < head) {
@@ -76,6 +80,7 @@ public:
         }
         return false;
     }
+    // P2: the note was read
     void pop() noexcept { tail_->store(next_, std::memory_order_release); }
 
 private:

@@ -205,6 +205,7 @@ void fill_header(SegmentHeader& header, std::string_view instance, std::uint64_t
                 std::min(instance.size(), header.instance.size() - 1));
 }
 
+// P1: all that the segment shows from its first moment on
 void publish_header(SegmentHeader& header) { header.ready.store(1, std::memory_order_release); }
 
 Result<void> check_header(const SegmentHeader& header, std::string_view instance) {

@@ -71,6 +71,7 @@ public:
         if (!raw) return raw.diagnosis();
         OwnSegment own;
         own.raw_ = std::move(*raw);
+        // P1: what the predecessor published
         if (own->header.ready.load(std::memory_order_acquire) != 1)
             return Diagnosis{Alarm::SegmentNotReady, {}, {}, std::string(instance)};
         if (auto good = check_header(own->header, instance); !good) return good.diagnosis();
@@ -112,6 +113,7 @@ Result<PeerSegment<Layout>> PeerSegment<Layout>::attach(std::string_view instanc
         auto raw = RawSegment::attach(name, sizeof(Layout));
         if (raw) {
             const auto& header = static_cast<const Layout*>(raw->address())->header;
+            // P1: the header is complete
             if (header.ready.load(std::memory_order_acquire) == 1) {
                 if (auto good = check_header(header, instance); !good) return good.diagnosis();
                 PeerSegment peer;

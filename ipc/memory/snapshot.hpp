@@ -10,8 +10,9 @@
 //       leaves the last complete value readable.
 // A reader that is overtaken twice while it copies sees it by the version and copies again; it
 // waits for nobody, and the bound on its tries only matters to a reader that is slower than two
-// publications, each time. Memory order: slot written, version_ released -> version_ acquired, slot
-// copied, fence, version_ checked.
+// publications, each time.
+// Memory order (docs/design/memory-orders.md): slot written, version_ released (P1) -> version_
+// acquired, slot copied, fence, version_ checked (P5).
 #pragma once
 #include <array>
 #include <atomic>
@@ -27,14 +28,17 @@ class Snapshot {
 
 public:
     // Writer: the slot to fill (it holds an older value), then publish().
+    // P4: own version (S1)
     T& draft() noexcept { return slots_[(version_.load(std::memory_order_relaxed) + 1) & 1]; }
+    // P4: own version (S1); for the writer only
     const T& published() const noexcept {
         return slots_[version_.load(std::memory_order_relaxed) & 1];
     }
     void publish() noexcept {
+        // P4, P1: the slot is complete
         version_.store(version_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-        // Stores into the next draft stay behind this one: else a reader could miss that its slot
-        // is being filled.
+        // P5: stores into the next draft stay behind this one: else a reader could miss that its
+        // slot is being filled.
         std::atomic_thread_fence(std::memory_order_release);
     }
     void write(const T& value) noexcept {
@@ -42,10 +46,12 @@ public:
         publish();
     }
 
+    // P1: who then reads the value gets this version or a newer
     std::uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
     // Reader: false only if the writer published twice during each of 64 copies.
     [[nodiscard]] bool read(T& out) const noexcept {
         for (int attempt = 0; attempt < 64; ++attempt) {
+            // P5: the slot is copied between two looks at the version
             const auto before = version_.load(std::memory_order_acquire);
             std::memcpy(static_cast<void*>(&out), &slots_[before & 1], sizeof(T));
             std::atomic_thread_fence(std::memory_order_acquire);

@@ -12,10 +12,10 @@
 //   I2  Only the producer stores head, only the consumer stores tail.
 //   I3  Slots in [tail, head) are final. If the producer is killed, the consumer can take them all.
 //   I4  Plain bytes: no pointer, virtual or lock. They mean the same wherever the image is mapped.
-// Memory order
+// Memory order (all rules: docs/design/memory-orders.md)
 //   P1  push: slot written, head released   ->  take: head acquired, slot read.
 //   P2  pop:  slot read, tail released      ->  push: tail acquired, slot reused.
-//   Each side reads its own index relaxed, for nobody else stores it (I2).
+//   P4  Each side reads its own index relaxed, for nobody else stores it (I2).
 // A push that is killed before P1 has sent nothing; the next one overwrites its slot.
 #pragma once
 #include <array>
@@ -50,9 +50,11 @@ template <class Half>
 class RingProducer {
 public:
     RingProducer(Half& half, const RingTail& tail)
+        // P2
         : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_acquire)) {}
     // The slot to fill next, nullptr when the ring is full. Nothing is sent before commit().
     [[nodiscard]] typename Half::value_type* claim() noexcept {
+        // P4: own head
         const auto head = half_->head.load(std::memory_order_relaxed);
         if (head - seen_ >= Half::capacity) {
             seen_ = tail_->tail.load(std::memory_order_acquire);  // P2
@@ -72,6 +74,7 @@ public:
         commit();
         return true;
     }
+    // P4
     std::uint64_t head() const noexcept { return half_->head.load(std::memory_order_relaxed); }
 
 private:
@@ -86,9 +89,11 @@ class RingConsumer {
 public:
     // A successor goes on where `tail` stands.
     RingConsumer(const Half& half, RingTail& tail)
+        // P4: own tail
         : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_relaxed)) {}
     // The oldest record, good until pop(); nullptr when there is none.
     [[nodiscard]] const typename Half::value_type* front() noexcept {
+        // P4: own tail
         const auto tail = tail_->tail.load(std::memory_order_relaxed);
         if (tail == seen_) {
             seen_ = half_->head.load(std::memory_order_acquire);  // P1
@@ -104,6 +109,7 @@ public:
         tail_->tail.store(tail_->tail.load(std::memory_order_relaxed) + 1,
                           std::memory_order_release);
     }
+    // P4
     std::uint64_t tail() const noexcept { return tail_->tail.load(std::memory_order_relaxed); }
 
 private:
