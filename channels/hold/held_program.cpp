@@ -67,6 +67,7 @@ void ChannelProcess::ask_resume(const ChannelEvent& event) {
                          ? ResumeAnswer::GoesBack
                          : ResumeAnswer::Cannot;
     }
+    // P1: the answer, then the number that announces it
     own_->answer.store(static_cast<std::uint32_t>(answer), std::memory_order_relaxed);
     own_->answered.store(event.seq, std::memory_order_release);
     own_->bell.ring();
@@ -76,6 +77,7 @@ void ChannelProcess::ask_resume(const ChannelEvent& event) {
 void ChannelProcess::void_pushed(const ChannelEvent& event) {
     maker_->discard();
     ring_->resume();
+    // P3: a number; each record carries its own (the order is stronger than needed)
     own_->epoch.store(event.epoch, std::memory_order_release);
     port_.look();
     sink_->forget();
@@ -98,6 +100,7 @@ void ChannelProcess::resume(const ChannelEvent& event) {
     if (event.record & kResumeAway) {
         AxisValues by{};
         for (unsigned i = 0; i < view_->axis_count; ++i)
+            // P1: it was stored before the event that was read
             by[i] = now[i] -
                     kernel_->left_at[view_->axes[i].machine_axis].load(std::memory_order_acquire);
         run_->start_away(by);

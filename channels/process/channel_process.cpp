@@ -50,6 +50,8 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor,
       services_(std::move(services)),
       inbox_([&]() -> EventInbox {
           // A successor has seen nothing of what its predecessor was told, and must not.
+          // P1: nobody sees it before own_.publish(). P3: of the kernel's head the value alone
+          // counts
           own_->event_tail.tail.store(
               kernel_->events[channel - 1].head.load(std::memory_order_acquire),
               std::memory_order_relaxed);
@@ -59,10 +61,12 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor,
       port_(*kernel_, channel),
       pictures_(*own_),
       dialogue_(*own_) {
+    // P4: own tail. P1: nobody sees the rest before own_.publish()
     seen_event_ = own_->event_tail.tail.load(std::memory_order_relaxed);
     own_->quiet.store(seen_event_, std::memory_order_relaxed);
     own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire),
                            std::memory_order_relaxed);
+    // P1: seen with own_.publish()
     own_->epoch.store(1, std::memory_order_relaxed);
     own_.publish();
     auto table = std::make_unique<params::Table>();
@@ -84,6 +88,7 @@ bool ChannelProcess::turn(bool sleep) {
     if (quit_) return false;
     const Doorbell& bell = kernel_->channel_bell[channel_ - 1];
     const std::uint32_t rings = bell.seen();
+    // P3: a counter, announces nothing
     own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
     inbox_.poll();
     if (!inbox_.empty()) {
@@ -100,8 +105,9 @@ bool ChannelProcess::turn(bool sleep) {
 }
 
 void ChannelProcess::say_quiet() {
+    // P4: own word
     if (own_->quiet.load(std::memory_order_relaxed) == seen_event_) return;
-    // I1: everything pushed is visible with it
+    // P1: everything pushed is visible with it
     own_->quiet.store(seen_event_, std::memory_order_release);
     own_->bell.ring();
 }
@@ -166,13 +172,16 @@ void ChannelProcess::act(const ChannelEvent& event) {
 
 // What was written before is applied over there first; the program then sees all of it.
 bool ChannelProcess::take_store() {
+    // P1, P2: what was pushed before this head is applied and published when the tail has passed it
     const std::uint64_t asked = kernel_->persist.head.load(std::memory_order_acquire);
     const Doorbell& bell = store_->bell;
     while (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) {
         const std::uint32_t rings = bell.seen();
+        // P3: a counter, announces nothing
         own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
         inbox_.poll();
         if (inbox_.interrupts()) return false;
+        // P1, P6: looked at again behind bell.seen()
         if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked)
             bell.wait(rings, 5'000);
     }
@@ -259,6 +268,8 @@ void ChannelProcess::begin_program() {
         return;
     }
     run_->keep_resume_states(true);
+    // P3: a flag; the blocks of the program come with their push (the order is stronger than
+    // needed)
     own_->starts_away.store(run_->starts_away(), std::memory_order_release);
     if (carried_.has_value()) run_->take_carry(carried_, after_reset_);
     after_reset_ = false;
@@ -376,6 +387,7 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     after_reset_ = true;
     state_ = State::Idle;
     next_part_ = ahead_ = false;
+    // P1: the picture of what holds now is there
     own_->epoch.store(event.epoch, std::memory_order_release);
     port_.answers() = {};
     dialogue_.clear();
@@ -385,6 +397,7 @@ void ChannelProcess::reset(const ChannelEvent& event) {
 void ChannelProcess::interrupt(const ChannelEvent& event) {
     maker_->discard();
     ring_->resume();
+    // P3: a number; each record carries its own (the order is stronger than needed)
     own_->epoch.store(event.epoch, std::memory_order_release);
     if (!run_) return;
     port_.look();
@@ -411,15 +424,18 @@ void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
         // no barrier is on its way: the path stops before the next block
         if (ahead_) state_ = State::Standing;
     }
+    // P1: what was pushed ahead is visible with it
     own_->answered.store(event.seq, std::memory_order_release);
     own_->bell.ring();
 }
 
 // States from before the record that the path is at are needed no more.
 void ChannelProcess::forget_executed() {
+    // P3: how far, nothing is written over
     const std::uint64_t tail =
         kernel_->path_tail[channel_ - 1].tail.load(std::memory_order_acquire);
     if (tail < ring_->pushed() &&
+        // P4: own word
         own_->path.slot(tail).epoch == own_->epoch.load(std::memory_order_relaxed))
         run_->executed(own_->path.slot(tail).serial);
 }

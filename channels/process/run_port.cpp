@@ -122,6 +122,7 @@ CalendarTime RunPort::clock() {
 }
 
 double RunPort::running_ms() {
+    // P3: constant since the kernel's segment was published
     return static_cast<double>(status_->tick) *
            static_cast<double>(kernel_->tick_ns.load(std::memory_order_relaxed)) * 1e-6;
 }
@@ -194,6 +195,7 @@ std::optional<Port::ToolAtWork> RunPort::tool_at_work() {
 // same.
 void RunPort::await_store() const {
     constexpr int kMostMs = 200;  // a store that has died is no reason to stand
+    // P1: the image was published before the tail was moved
     for (int ms = 0; ms < kMostMs && store_->persist_tail.tail.load(std::memory_order_acquire) <
                                          kernel_->persist.head.load(std::memory_order_acquire);
          ++ms)

@@ -61,6 +61,7 @@ void describe(const Core& core, BlockPicture& picture) {
 }
 
 void PictureOut::begin() {
+    // P4: own head. P1: no picture before it holds any more
     own_->picture_first.store(own_->pictures.head.load(std::memory_order_relaxed),
                               std::memory_order_release);
     any_ = false;

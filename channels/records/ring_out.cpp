@@ -14,6 +14,7 @@ RingOut::RingOut(ChannelSegment& own, const KernelSegment& kernel, unsigned inde
       producer_(own.path, kernel.path_tail[index]) {}
 
 bool RingOut::may_wait() {
+    // P3: a counter, announces nothing
     own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
     inbox_->poll();
     if (inbox_->interrupts())
@@ -41,6 +42,7 @@ bool RingOut::wait_for_kernel() {
 
 bool RingOut::has_room() const {
     constexpr std::uint64_t kEnough = 512;
+    // P3: how much room; claim() looks itself (P2)
     return producer_.head() - kernel_->path_tail[index_].tail.load(std::memory_order_acquire) +
                kEnough <=
            kPathRing;
@@ -56,8 +58,10 @@ PathRecord& RingOut::claim() {
 
 void RingOut::commit() {
     if (aborted_) return;
+    // P4: own word
     claimed_->epoch = own_->epoch.load(std::memory_order_relaxed);
     producer_.commit();
+    // P3: only whether to ring
     if (producer_.head() - kernel_->path_tail[index_].tail.load(std::memory_order_acquire) ==
         horizon_)
         own_->bell.ring();
