@@ -26,6 +26,7 @@ using namespace polyturn;
 constexpr auto kTimeout = std::chrono::seconds(30);
 // the supervisor has died, or somebody has told this process to end: the machine stops in order,
 // then it ends
+// P3: a flag, announces nothing
 std::atomic<bool> alone{false};
 
 // Of nobody else's business any more: what the supervisor has started and cannot end. Ours end by
@@ -126,6 +127,7 @@ int run(const std::string& instance) {
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
         }
         clock.run();
+        // P3: a flag (the order is stronger than needed: join() follows)
         stop.store(true, std::memory_order_release);
         watcher.join();
         table_watcher.join();

@@ -102,6 +102,7 @@ void ChannelRunner::answered_for_block(bool goes_back) noexcept {
 
 // Without another start, as soon as its channel has heard that the line before is over.
 void ChannelRunner::next_line() noexcept {
+    // P1 (quiet): all that it pushed is visible
     if (state_ != ChannelState::Ended || resetting_ || outbox_count_ > 0 || !segment_ ||
         segment_->quiet.load(std::memory_order_acquire) < events_sent_)
         return;

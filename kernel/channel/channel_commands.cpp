@@ -236,6 +236,7 @@ void ChannelRunner::step_aside() noexcept {
     if (std::exchange(jog_in_hold_, true)) return;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (core_.config.axes[a].channel == number_ || core_.axes[a].owner == number_)
+            // P1: before the event that makes the channel read it
             core_.image.left_at[a].store(core_.axes[a].own(), std::memory_order_release);
 }
 

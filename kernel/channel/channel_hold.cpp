@@ -47,12 +47,14 @@ bool ChannelRunner::rests_in_hold() const noexcept {
 // Axes were moved in the hold, and the language knows how to go on without going back first (N1337
 // #5 REL).
 bool ChannelRunner::resumes_elsewhere() const noexcept {
+    // P3: a flag, its program is known from the ring (the order is stronger than needed)
     return state_ == ChannelState::Held && retrace_ >= 0 && !program_left_ && rests_in_hold() &&
            segment_->starts_away.load(std::memory_order_acquire) != 0;
 }
 
 void ChannelRunner::settle_hold() noexcept {
     if (question_) {
+        // P1: the answer, and all that was pushed before it, is visible
         if (dead_ || !segment_)
             question_ = 0;
         else if (segment_->answered.load(std::memory_order_acquire) >= question_)
@@ -80,6 +82,7 @@ void ChannelRunner::ask_to_go_back(BackFor why) noexcept {
 
 void ChannelRunner::take_answer() noexcept {
     question_ = 0;
+    // P1: announced by `answered`
     const auto answer = static_cast<ResumeAnswer>(segment_->answer.load(std::memory_order_relaxed));
     const bool goes_back = answer == ResumeAnswer::GoesBack;
     if (asked_for_ == BackFor::Away) {

@@ -84,6 +84,7 @@ void ChannelRunner::announce_interrupt() noexcept {
 // What the channel has done ahead acts now. True: nothing of it is left, and nothing more comes.
 bool ChannelRunner::obey_ahead() noexcept {
     if (ahead_ == kNoRecord) return true;
+    // P1: what was pushed ahead is visible
     if (ahead_asked_ && segment_->answered.load(std::memory_order_acquire) < ahead_asked_)
         return dead_;
     ahead_asked_ = 0;

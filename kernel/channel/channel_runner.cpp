@@ -36,14 +36,17 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     retrace_ = 0;
     question_ = ahead_asked_ = 0;
     ahead_ = kNoRecord;
+    // P1: the first one was stored before the segment was published
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
     inbox_.attach(segment);
     off_path_ = placed_ = {};
+    // P2: nothing of its ring was taken
     core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
     plan_anew(0);
     // A successor has seen none of the events of its predecessor and must not: it starts with the
     // next one.
+    // P4: own head
     events_sent_ = core_.image.events[index_].head.load(std::memory_order_relaxed);
     outbox_count_ = 0;
     limit_ = ~0ull;
@@ -129,6 +132,7 @@ void ChannelRunner::drop_old_epochs(std::uint64_t most) noexcept {
     if (cursor_ == from) return;
     inbox_.begin_at(cursor_);
     plan_anew(cursor_);
+    // P2: the records before cursor_ are needed no more
     core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
 }
 
@@ -139,6 +143,7 @@ bool ChannelRunner::supplied() noexcept {
     if (const std::uint64_t asked = std::max(question_, ahead_asked_);
         asked && segment_->answered.load(std::memory_order_acquire) < asked)
         return false;
+    // P1: as above. Both before the head is looked at
     const bool quiet = segment_->quiet.load(std::memory_order_acquire) >= events_sent_;
     drop_old_epochs(kPathRing);  // between two ticks: all of them
     return quiet || inbox_.refusal().field ||
@@ -285,6 +290,7 @@ void ChannelRunner::run() noexcept {
     if (moving_) (moving_rapid_ ? rapid_s_ : cutting_s_) += core_.config.tick_s;
     if (state_ == ChannelState::Waiting) waiting_s_ += core_.config.tick_s;
     const auto& tail = core_.image.path_tail[index_].tail;
+    // P4: own tail. P2: the records before cursor_ are needed no more
     if (tail.load(std::memory_order_relaxed) != cursor_)
         core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
 }

@@ -4,7 +4,8 @@
  *          <--/dev/shm/polyturn.<instance>.slaves--                   a frame of statuses each cycle
  *
  * Each of the two files has one writer; the other side maps it read-only. Nobody locks: a frame is written into the half that
- * is not published, then its number is stored (release). Slot a - 1 is axis a, slot 96 + s - 1 spindle s.
+ * is not published, then its number is stored (release). P1, P5, P6 below: docs/design/memory-orders.md.
+ * Slot a - 1 is axis a, slot 96 + s - 1 spindle s.
  *
  * One cycle (N0005):
  *   1. the kernel publishes commands n at the end of its tick n and raises `bell` (a futex word),
@@ -78,11 +79,13 @@ typedef struct PolyturnDriveStatuses {        /* written by the drive process on
 static inline int polyturn_take_commands(const PolyturnDriveCommands* from, uint64_t* seen, PolyturnCommandFrame* out) {
     int tries;
     for (tries = 0; tries < 3; ++tries) {
+        /* P1: the frame is complete */
         const uint64_t cycle = __atomic_load_n(&from->cycle, __ATOMIC_ACQUIRE);
         if (cycle == *seen) return 0;
         memcpy(out, &from->frame[cycle & 1u], sizeof *out);
+        /* P5: the copy counts when nobody has begun to write over the frame */
         __atomic_thread_fence(__ATOMIC_ACQUIRE);
-        if (__atomic_load_n(&from->cycle, __ATOMIC_RELAXED) == cycle) {   /* nobody has begun to write over it */
+        if (__atomic_load_n(&from->cycle, __ATOMIC_RELAXED) == cycle) {
             *seen = cycle;
             return 1;
         }
@@ -99,6 +102,7 @@ static inline void polyturn_bell_wait(const uint32_t* bell, uint32_t seen, int64
 static inline void polyturn_bell_wake(const uint32_t* bell) { syscall(SYS_futex, bell, FUTEX_WAKE, INT_MAX, (void*)0, (void*)0, 0); }
 static inline void polyturn_put_statuses(PolyturnDriveStatuses* to, const PolyturnStatusFrame* frame) {
     memcpy(&to->frame[frame->cycle & 1u], frame, sizeof *frame);
+    /* P1: the frame, then its number. P6: then the bell */
     __atomic_store_n(&to->cycle, frame->cycle, __ATOMIC_RELEASE);
     __atomic_fetch_add(&to->bell, 1u, __ATOMIC_RELEASE);
     polyturn_bell_wake(&to->bell);

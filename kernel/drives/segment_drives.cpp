@@ -21,6 +21,7 @@ const PolyturnDriveStatuses* look(const std::string& instance, int pid, RawSegme
     auto raw = RawSegment::attach(statuses_name(instance), sizeof(PolyturnDriveStatuses));
     if (!raw) return nullptr;
     const auto* found = static_cast<const PolyturnDriveStatuses*>(raw->address());
+    // P1: the header is complete
     if (__atomic_load_n(&found->ready, __ATOMIC_ACQUIRE) != 1 ||
         found->magic != POLYTURN_DRIVES_MAGIC || found->version != POLYTURN_DRIVE_VERSION ||
         found->size != sizeof(PolyturnDriveStatuses) || (pid && found->writer_pid != pid) ||
@@ -81,10 +82,12 @@ const PolyturnDriveApi& SegmentDrives::spindle_api() {
 bool SegmentDrives::attach(std::int64_t tick_ns, std::chrono::milliseconds timeout) {
     commands_->tick_ns = static_cast<std::uint64_t>(tick_ns);
     end();  // nobody moves yet
+    // P1: setups, header and the first frame
     __atomic_store_n(&commands_->ready, 1u, __ATOMIC_RELEASE);
     for (auto waited = std::chrono::milliseconds(0); waited < timeout;
          waited += std::chrono::milliseconds(1)) {
         wake();
+        // P4: the tick does not run yet
         if (!statuses_.load()) statuses_.store(look(instance_, 0, theirs_));
         if (statuses_.load() && answered()) {
             begin();
@@ -97,22 +100,27 @@ bool SegmentDrives::attach(std::int64_t tick_ns, std::chrono::milliseconds timeo
 
 bool SegmentDrives::attach_successor(int pid) {
     const PolyturnDriveStatuses* found = look(instance_, pid, next_segment_);
+    // P7: offered; begin() takes it
     if (found) next_.store(found, std::memory_order_release);
     return found != nullptr;
 }
 
 // A frame that is just being overwritten is a lost one: the next begin() finds the newer.
 void SegmentDrives::begin() noexcept {
+    // P7: a look, then it is taken
     if (next_.load(std::memory_order_relaxed))
         // the old one stays mapped
         if (const PolyturnDriveStatuses* next = next_.exchange(nullptr, std::memory_order_acquire))
             statuses_.store(next);
+    // P4: only this thread stores it
     const PolyturnDriveStatuses* from = statuses_.load(std::memory_order_relaxed);
     if (!from) return;
+    // P1, P5: the frame counts when the number is still the same behind the copy
     const std::uint64_t cycle = __atomic_load_n(&from->cycle, __ATOMIC_ACQUIRE);
     if (cycle == newest_.cycle) return;
     static_assert(sizeof(PolyturnStatusFrame) < 8192);
     PolyturnStatusFrame frame = from->frame[cycle & 1u];
+    // P5
     std::atomic_thread_fence(std::memory_order_acquire);
     if (__atomic_load_n(&from->cycle, __ATOMIC_RELAXED) != cycle) return;
     for (Slot& slot : slots_) {
@@ -127,11 +135,13 @@ void SegmentDrives::begin() noexcept {
 void SegmentDrives::end() noexcept {
     ++draft_.cycle;
     commands_->frame[draft_.cycle & 1u] = draft_;
+    // P1: the frame, then its number. P6: then the bell
     __atomic_store_n(&commands_->cycle, draft_.cycle, __ATOMIC_RELEASE);
     __atomic_fetch_add(&commands_->bell, 1u, __ATOMIC_RELEASE);
 }
 
 bool SegmentDrives::answered() const noexcept {
+    // P4: own word. P1: the frame of that cycle is complete
     const PolyturnDriveStatuses* from = statuses_.load(std::memory_order_relaxed);
     return from && __atomic_load_n(&from->cycle, __ATOMIC_ACQUIRE) >= draft_.cycle;
 }
@@ -150,6 +160,7 @@ void SegmentDrives::exchange(Slot& slot, const PolyturnDriveCommand& command,
 void SegmentDrives::wake() noexcept { polyturn_bell_wake(&commands_->bell); }
 
 void SegmentDrives::await_answer(std::int64_t timeout_us) noexcept {
+    // P4: own word. P6: the bell is read before the look for an answer
     const PolyturnDriveStatuses* from = statuses_.load(std::memory_order_relaxed);
     if (!from) return;
     const std::uint32_t seen = __atomic_load_n(&from->bell, __ATOMIC_ACQUIRE);

@@ -9,11 +9,13 @@
 namespace polyturn::plc::cycle_watch {
 
 namespace {
+// P3: numbers that announce nothing, for a handler in the same process
 std::atomic<std::uint64_t> running{0};  // number of the cycle under way; 0 none
 std::atomic<std::uint64_t> last_seen{0};
 
 // Async-signal-safe: lock-free atomics, write, _exit.
 void check(int) {
+    // P3
     const std::uint64_t now = running.load(std::memory_order_relaxed);
     if (now != 0 && now == last_seen.load(std::memory_order_relaxed)) {
         static constexpr char kText[] =
@@ -21,6 +23,7 @@ void check(int) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
         _exit(3);
     }
+    // P3
     last_seen.store(now, std::memory_order_relaxed);
 }
 }  // namespace
@@ -35,6 +38,7 @@ void start() {
     setitimer(ITIMER_PROF, &every, nullptr);
 }
 
+// P3
 void begin(std::uint64_t cycle) noexcept { running.store(cycle, std::memory_order_relaxed); }
 void end() noexcept { running.store(0, std::memory_order_relaxed); }
 

@@ -15,6 +15,7 @@
 
 namespace {
 
+// P3: a flag, announces nothing
 std::atomic<bool> stop{false};
 
 constexpr char kHelp[] =

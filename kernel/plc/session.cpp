@@ -60,6 +60,7 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc,
         if (!store) return store.diagnosis();
         const auto parameters = std::make_unique<params::Table>();
         while (!(*store)->parameters.read(*parameters)) sleep_ms(1);
+        // P3: constant since the segment was published (the order is stronger than needed)
         const double tick_s =
             static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
         memory.open(retained.empty()
@@ -83,6 +84,7 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc,
     const bool has_fast = plc.fast_plan().writes != 0;
     std::uint64_t done = 0, fast_version = 0, version = 0, turns = 0;
     bool waits = false;  // inputs of a cycle have been read and are not worked off
+    // P3: a flag, announces nothing
     while (!stop.load(std::memory_order_relaxed)) {
         const std::uint32_t rung = kernel.plc_bell.seen();
         bool worked = false;
@@ -94,6 +96,7 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc,
             cycle_watch::end();
             fast_outputs.count = fast_inputs.count;
             segment.fast.write(fast_outputs);
+            // P1: the outputs, then their count
             segment.fast_count.store(fast_outputs.count, std::memory_order_release);
             segment.bell.ring();
             worked = true;
@@ -113,6 +116,7 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc,
             cycle_watch::end();
             done = outputs->cycle = inputs->cycle;
             segment.outputs.write(*outputs);
+            // P1: the outputs, then their cycle
             segment.cycle.store(done, std::memory_order_release);
             segment.bell.ring();
             memory.end_cycle();

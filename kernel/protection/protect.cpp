@@ -17,6 +17,7 @@ void Machine::protect() noexcept {
     }
     if (!guard_.any()) return;
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
+        // P4: this thread has stored it, after acquiring it
         const ChannelSegment* segment = core_.channel_segment[l].load(std::memory_order_relaxed);
         if (!segment || !core_.config.channels[l].exists) continue;
         (void)tool_in_work_[l].look(*segment, channels_[l]->serial());

@@ -45,6 +45,7 @@ void RecordInbox::begin_at(std::uint64_t at) noexcept {
 }
 
 void RecordInbox::look(std::uint64_t cursor) noexcept {
+    // P1: the records before head are complete
     const std::uint64_t now = segment_->path.head.load(std::memory_order_acquire);
     if (believable(now, cursor))
         head_ = now;

@@ -44,6 +44,7 @@ public:
     // Where the ring ends now. One that cannot be is a refusal with the next look(), and is not
     // used.
     std::uint64_t head(std::uint64_t cursor) const noexcept {
+        // P1: the records before head are complete
         const std::uint64_t now = segment_->path.head.load(std::memory_order_acquire);
         return believable(now, cursor) ? now : head_;
     }

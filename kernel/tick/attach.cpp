@@ -5,6 +5,7 @@
 namespace polyturn::kernel {
 namespace {
 ProcessState state_of(const ProcessEntry& entry) {
+    // P1: the pid was stored before
     return static_cast<ProcessState>(entry.state.load(std::memory_order_acquire));
 }
 
@@ -78,18 +79,21 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
     const StoreSegment* store = &machine.store_segment();
     // versions of the tools and of the parameters that say whose turret they stand in
     std::uint64_t shown = 0, shown_by = 0;
+    // P3: a flag (the order is stronger than needed)
     while (!stop.load(std::memory_order_acquire)) {
         sleep_ms(kLookMs);
         // A longer tool guards from the next tick on that finds it here. Life that is counted
         // changes the table too: only other outlines are news.
         if (const std::uint64_t now = store->tools.version(), by = store->parameters.version();
             (now != shown || by != shown_by) &&
+            // P7: taken: the other of the two shapes_ is read no more
             machine.core().next_shapes.load(std::memory_order_acquire) == nullptr) {
             ToolShapes& fresh = shapes_[next_shapes_];
             if (read_tool_shapes(*store, fresh)) {
                 shown = now;
                 shown_by = by;
                 if (std::memcmp(&fresh, &shapes_[next_shapes_ ^ 1u], sizeof fresh) != 0) {
+                    // P7: offered, complete
                     machine.core().next_shapes.store(&fresh, std::memory_order_release);
                     next_shapes_ ^= 1u;
                 }
@@ -105,6 +109,7 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 if (!next) continue;
                 if (plc_) old_plcs_.push_back(std::move(*plc_));
                 plc_ = std::move(next);
+                // P7: offered
                 machine.core().next_plc.store(&**plc_, std::memory_order_release);
             } else if (p == kProcessStore) {
                 auto next =
@@ -113,6 +118,7 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 stores_.push_back(std::move(*next));
                 store = &*stores_.back();
                 shown = shown_by = 0;
+                // P7: offered
                 machine.core().next_store.store(&*stores_.back(), std::memory_order_release);
             } else if (p == kProcessDrives) {
                 if (!machine.segment_drives() || !machine.segment_drives()->attach_successor(now))
@@ -124,6 +130,7 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 if (!next) continue;
                 if (channels_[index]) old_channels_.push_back(std::move(*channels_[index]));
                 channels_[index] = std::move(next);
+                // P7: offered
                 machine.core().next_channel[index].store(&**channels_[index],
                                                          std::memory_order_release);
             }

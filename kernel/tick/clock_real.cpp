@@ -40,8 +40,10 @@ std::string RealClock::claim_real_time() {
 }
 
 void RealClock::supervise() {
+    // P3: a flag, announces nothing
     if (alone_.load(std::memory_order_relaxed)) return machine_.left_alone();
     Core& core = machine_.core();
+    // P3: a counter, announces nothing (the order is stronger than needed)
     const auto beat = core.supervisor.heartbeat.load(std::memory_order_acquire);
     if (beat != beat_) {
         beat_ = beat;
@@ -72,6 +74,7 @@ void RealClock::run() {
         }
         supervise();
         machine_.tick();
+        // P3: a counter, announces nothing
         core.image.tick_cost[bucket(now_ns() - began, core.image.tick_cost.size())].fetch_add(
             1, std::memory_order_relaxed);
         if (SegmentDrives* drives = machine_.segment_drives()) drives->wake();

@@ -17,6 +17,7 @@ VirtualClock::VirtualClock(Machine& machine, Peers* peers, const std::atomic<boo
 }
 
 bool VirtualClock::gone(std::size_t process) const {
+    // P1: dead is who was reaped: all that it wrote is visible
     return process < kProcesses &&
            machine_.core().supervisor.processes[process].state.load(std::memory_order_acquire) ==
                static_cast<std::uint32_t>(ProcessState::Dead);
@@ -47,6 +48,7 @@ void VirtualClock::supervisor() {
         machine_.commands().drain(core.tick);
         return machine_.commands().end_requested() ||
                (core.log.has_room() && machine_.trace_has_room() &&
+                // P1: what the supervisor sent before it is visible
                 (!follow ||
                  core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest()));
     };
@@ -64,15 +66,18 @@ void VirtualClock::participants() {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         ChannelRunner& channel = machine_.channel(l);
         if (!channel.listens()) continue;
+        // P4: this thread has stored it (the order is stronger than needed)
         const ChannelSegment* segment = core.channel_segment[l].load(std::memory_order_acquire);
         await(segment->bell, kProcessChannel + l, core.image.channel_bell[l], waits_.channels,
               [&] { return channel.supplied(); });
     }
     if (machine_.plc().asked())
+        // P4: as above
         await(core.plc_segment.load(std::memory_order_acquire)->bell, kProcessPlc,
               core.image.plc_bell, waits_.plc, [&] { return machine_.plc().answered(); });
     if (SegmentDrives* drives = machine_.segment_drives()) {
         const auto answers = [&] {
+            // P1: as in gone()
             return core.supervisor.processes[kProcessDrives].state.load(
                        std::memory_order_acquire) ==
                    static_cast<std::uint32_t>(ProcessState::Running);
@@ -121,6 +126,7 @@ void VirtualClock::run() {
             if (alone()) return true;
             machine_.commands().drain(core.tick);
             return machine_.commands().end_requested() ||
+                   // P1: all of the batch is visible
                    (core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest() &&
                     !machine_.commands().empty());
         });

@@ -42,6 +42,7 @@ private:
     void await(const Doorbell& bell, std::size_t process, Doorbell& theirs, std::uint64_t& count,
                Ready ready);
 
+    // P3: a flag, announces nothing (the order is stronger than needed)
     bool alone() const { return alone_ && alone_->load(std::memory_order_acquire); }
 
     Machine& machine_;

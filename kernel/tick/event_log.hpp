@@ -56,6 +56,7 @@ public:
     std::uint64_t newest() const noexcept { return newest_; }
     std::uint64_t dropped() const noexcept { return dropped_; }
     bool has_room() const noexcept {
+        // P3: how much room; claim() looks itself (P2)
         return ring_.head() - tail_->tail.load(std::memory_order_acquire) + kReserve <=
                RingHead<KernelEvent, 16384>::capacity;
     }

@@ -46,6 +46,7 @@ void Machine::start() {
     compensation_.configure(core_.table, core_.config);
     guard_.configure(core_.table, core_.config);
     core_.stroke.configure(core_.config);
+    // P1: constant, written before own->publish() (the order is stronger than needed)
     core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns),
                               std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
@@ -70,6 +71,7 @@ void Machine::start() {
     }
     show_free_parameters();
     core_.totals.start(core_.table);
+    // P1: the tables of this version are published
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
     core_.tools.start(core_.image, *store_segment_);
     core_.stroke.update(core_);
@@ -79,6 +81,7 @@ void Machine::start() {
 }
 
 void Machine::attach_channel(unsigned index, const ChannelSegment& segment) {
+    // P4: read by this thread alone (the order is stronger than needed)
     core_.channel_segment[index].store(&segment, std::memory_order_release);
     channels_[index]->attach(segment);
 }
@@ -88,6 +91,7 @@ void Machine::take_tables(CompensationTables tables) {
 }
 
 void Machine::attach_plc(const PlcSegment& segment) {
+    // P4: read by this thread alone (the order is stronger than needed)
     core_.plc_segment.store(&segment, std::memory_order_release);
     plc_.started();
 }
@@ -101,17 +105,21 @@ void Machine::set_state(MachineState state) noexcept {
 // Real time only: in virtual time channels alone have successors, between two ticks
 // (clock_virtual.cpp); who else has died stays dead.
 void Machine::take_restarted_processes() noexcept {
+    // P7, here and below: a look that costs nothing, then the place is taken
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         if (core_.next_channel[l].load(std::memory_order_relaxed) == nullptr ||
             !channels_[l]->may_be_replaced())
             continue;
+        // P7
         if (const ChannelSegment* segment =
                 core_.next_channel[l].exchange(nullptr, std::memory_order_acquire))
             attach_channel(l, *segment);
     }
+    // P7
     if (core_.next_plc.load(std::memory_order_relaxed) != nullptr)
         if (const PlcSegment* segment = core_.next_plc.exchange(nullptr, std::memory_order_acquire))
             attach_plc(*segment);
+    // P7
     if (core_.next_store.load(std::memory_order_relaxed) != nullptr)
         if (const StoreSegment* segment =
                 core_.next_store.exchange(nullptr, std::memory_order_acquire)) {
@@ -120,26 +128,31 @@ void Machine::take_restarted_processes() noexcept {
             core_.tools.rebind(core_.image, *segment);
             core_.store_dead = false;
         }
+    // P7
     if (core_.next_shapes.load(std::memory_order_relaxed) != nullptr)
         if (const ToolShapes* shapes =
                 core_.next_shapes.exchange(nullptr, std::memory_order_acquire)) {
             guard_.take_tools(*shapes);
             guard_.configure(core_.table, core_.config);
         }
+    // P7
     if (core_.next_compensation.load(std::memory_order_relaxed) != nullptr) {
         bool rest = true;
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
             rest = rest && !(core_.axes[a].exists() && core_.axes[a].moving());
         if (rest) {
+            // P7: used, then the place is given back
             compensation_.use_tables(*core_.next_compensation.load(std::memory_order_acquire));
             core_.next_compensation.store(nullptr, std::memory_order_release);
         }
     }
+    // P3: a flag, announces nothing (the order is stronger than needed)
     if (core_.compensation_refused.exchange(false, std::memory_order_acquire))
         core_.alarm(Alarm::CompensationTable, 0,
                     "machine.compensation was not taken (params check says why)");
     // What operators change in the store (offsets, zeros) the channels take over at their next
     // barrier.
+    // P1: the tables of this version are published
     const std::uint64_t version = store_segment_->version.load(std::memory_order_acquire);
     if (version != store_version_) {
         store_version_ = version;

@@ -83,6 +83,7 @@ public:
     ChannelRunner& channel(unsigned index) noexcept { return *channels_[index]; }
     const StoreSegment& store_segment() const noexcept { return *store_segment_; }
     bool trace_has_room() const noexcept {
+        // P3: how much room; claim() looks itself (P2)
         return trace_ring_.head() -
                    core_.supervisor.trace_tail.tail.load(std::memory_order_acquire) + 1 <
                1024;

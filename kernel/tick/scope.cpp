@@ -40,6 +40,7 @@ void Scope::choose(KernelSegment& image, std::uint32_t trace, ScopeKind kind,
     if (trace >= kScopeTraces) return;
     choice_.kind[trace] = static_cast<std::uint32_t>(kind);
     choice_.object[trace] = object;
+    // P4: own head
     choice_.first = image.scope.head.load(std::memory_order_relaxed);
     any_ = false;
     for (const std::uint32_t one : choice_.kind) any_ |= one != 0;
@@ -48,6 +49,7 @@ void Scope::choose(KernelSegment& image, std::uint32_t trace, ScopeKind kind,
 
 void Scope::sample(Core& core, const MachineStatus& status) noexcept {
     if (!any_) return;
+    // P4: own head
     const std::uint64_t head = core.image.scope.head.load(std::memory_order_relaxed);
     ScopeSample& out = core.image.scope.slot(head);
     out.tick = core.tick;
@@ -74,6 +76,7 @@ void Scope::sample(Core& core, const MachineStatus& status) noexcept {
         }
         out.value[i] = value;
     }
+    // P1: the sample is complete
     core.image.scope.head.store(head + 1, std::memory_order_release);
 }
 

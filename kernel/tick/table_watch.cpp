@@ -27,6 +27,7 @@ bool TableWatch::look() {
         return false;
     }
     // the last one waits for the axes to rest
+    // P7: taken
     if (core_.next_compensation.load(std::memory_order_acquire) != nullptr) return false;
     settled_ = now;
     std::vector<Diagnosis> faults;
@@ -35,9 +36,11 @@ bool TableWatch::look() {
     while (!store_.parameters.read(*parameters)) sleep_ms(1);
     check_compensation_tables(*parameters, *tables, file_, faults);
     if (!faults.empty()) {
+        // P3: a flag, announces nothing (the order is stronger than needed)
         core_.compensation_refused.store(true, std::memory_order_release);
         return true;
     }
+    // P7: offered, complete
     core_.next_compensation.store(tables.get(), std::memory_order_release);
     handed_.push_back(std::move(tables));
     // what was taken before the last one is no longer looked at
@@ -47,6 +50,7 @@ bool TableWatch::look() {
 
 void TableWatch::run(const std::atomic<bool>& stop) {
     constexpr int kLookMs = 100;
+    // P3: a flag (the order is stronger than needed)
     while (!stop.load(std::memory_order_acquire)) {
         sleep_ms(kLookMs);
         (void)look();

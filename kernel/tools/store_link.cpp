@@ -55,6 +55,7 @@ bool StoreLink::take_changes(params::Table& table, std::int64_t tick, bool virtu
         while (due_count_ > 0 && answered()) { drop_due(); }
     }
     // Whole imports only: look ahead for the end before the first value is taken.
+    // P1: the changes before head are complete
     const auto head = store_->param_changes.head.load(std::memory_order_acquire);
     std::uint64_t complete = changes_.tail();
     for (std::uint64_t i = complete; i < head; ++i)

@@ -30,6 +30,7 @@ public:
     // it.
     void rebind(KernelSegment& image, const StoreSegment& store) noexcept {
         persist_ = {image.persist, store.persist_tail};
+        // P2: nothing of its ring was taken
         image.param_tail.tail.store(0, std::memory_order_release);
         changes_ = {store.param_changes, image.param_tail};
         store_ = &store;
@@ -72,6 +73,7 @@ public:
     }
     bool answered() const noexcept {
         return due_count_ == 0 ||
+               // P1: the answer was published before the tail was moved
                store_->persist_tail.tail.load(std::memory_order_acquire) >= due_[0].request;
     }
     bool question_open() const noexcept { return due_count_ > 0; }
@@ -83,6 +85,7 @@ public:
     // Room for every write that the channels have planned (kWritesAhead each) and for what the
     // machine writes of its own.
     bool has_room() const noexcept {
+        // P3: how much room; claim() looks itself (P2)
         return persist_.head() - store_->persist_tail.tail.load(std::memory_order_acquire) +
                    kReserve <=
                RingHead<StoreRequest, 8192>::capacity;

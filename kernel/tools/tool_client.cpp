@@ -29,6 +29,7 @@ bool ToolClient::managed(const Core& core) noexcept {
 void ToolClient::start(KernelSegment& image, const StoreSegment& store) {
     store_ = &store;
     // answers to a dead kernel's questions
+    // P2: they are passed over unread
     image.tool_tail.tail.store(store.tool_answers.head.load(std::memory_order_acquire),
                                std::memory_order_release);
     const auto tools = std::make_unique<ToolTable>();
@@ -61,8 +62,10 @@ void ToolClient::start(KernelSegment& image, const StoreSegment& store) {
 // A successor of the store goes on in the same ring, or begins a new one. What was asked and not
 // answered is asked again.
 void ToolClient::rebind(KernelSegment& image, const StoreSegment& store) noexcept {
+    // P3: of the head the number alone counts. P4: own tail
     if (store.tool_answers.head.load(std::memory_order_acquire) <
         image.tool_tail.tail.load(std::memory_order_relaxed))
+        // P2: nothing of the new ring was taken
         image.tool_tail.tail.store(0, std::memory_order_release);
     store_ = &store;
     for (Context& context : context_)
@@ -89,6 +92,7 @@ void ToolClient::take_answers(Core& core) noexcept {
     if (!store_) return;
     const auto& ring = store_->tool_answers;
     auto& taken = core.image.tool_tail.tail;
+    // P1: the answers before head are complete. P4: own tail
     const auto head = ring.head.load(std::memory_order_acquire);
     auto index = taken.load(std::memory_order_relaxed);
     for (; index < head; ++index) {
@@ -129,6 +133,7 @@ void ToolClient::take_answers(Core& core) noexcept {
             context.answer.alarm = static_cast<std::int32_t>(known_alarm(answer.alarm));
         context.call = answer.alarm >= 0 ? Call::Refused : Call::Answered;
     }
+    // P2: they were read
     taken.store(index, std::memory_order_release);
 }
 

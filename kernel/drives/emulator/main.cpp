@@ -44,6 +44,7 @@ const PolyturnDriveCommands* attach(const std::string& instance) {
         const auto* found = static_cast<const PolyturnDriveCommands*>(
             map("/polyturn." + instance + ".drives", sizeof(PolyturnDriveCommands), false));
         if (!found) continue;
+        // P1: setups and header are complete
         if (__atomic_load_n(&found->ready, __ATOMIC_ACQUIRE) == 1 &&
             found->magic == POLYTURN_DRIVES_MAGIC && kill(found->writer_pid, 0) == 0) {
             if (found->version == POLYTURN_DRIVE_VERSION && found->size == sizeof *found)
@@ -81,6 +82,7 @@ int serve(const std::string& instance) {
     out->version = POLYTURN_DRIVE_VERSION;
     out->size = sizeof *out;
     out->writer_pid = getpid();
+    // P1: the header is complete
     __atomic_store_n(&out->ready, 1u, __ATOMIC_RELEASE);
 
     std::vector<std::optional<Cia402>> slaves(POLYTURN_DRIVE_SLOTS);
@@ -94,9 +96,11 @@ int serve(const std::string& instance) {
     for (;;) {
         // in real time a cycle may be missed: its drives go on as they were told last
         const std::uint64_t before = seen;
+        // P6: the bell is read before the look for commands
         const std::uint32_t bell = __atomic_load_n(&in->bell, __ATOMIC_ACQUIRE);
         if (!polyturn_take_commands(in, &seen, commands.get())) {
             polyturn_bell_wait(&in->bell, bell, kSleepUs);
+            // P6: it has rung since
             if (__atomic_load_n(&in->bell, __ATOMIC_ACQUIRE) != bell) continue;
             if (++silent < kHeartbeatCycles) continue;
             silent = 0;

@@ -6,9 +6,11 @@
 namespace polyturn::kernel {
 
 PlcLink::Take PlcLink::take_outputs() noexcept {
+    // P1: the segment is published
     const PlcSegment* plc = core_.plc_segment.load(std::memory_order_acquire);
     if (!plc || dead_ || sent_ == 0 || !due()) return Take::Nothing;
     // A stopped process may or may not have answered before: that must not decide anything.
+    // P1: the outputs of that cycle are published
     if (stopped_ || plc->cycle.load(std::memory_order_acquire) < sent_ ||
         !plc->outputs.read(outputs_)) {
         // In virtual time it was waited for: it cannot answer. In real time the computer may have
@@ -36,6 +38,7 @@ void PlcLink::started() noexcept {
     // goes on counting: an answer to what its predecessor was asked is none
     fast_taken_ = fast_sent_;
     fast_late_ = 0;
+    // P1: fast_plan was written before the segment was published
     plan_ = core_.plc_segment.load(std::memory_order_acquire)->fast_plan;
     // Its process maps it writable: nothing of it is believed.
     plan_.reads = std::min<std::uint32_t>(plan_.reads, kFastSignals);
@@ -47,6 +50,7 @@ void PlcLink::started() noexcept {
 }
 
 PlcLink::Take PlcLink::take_fast() noexcept {
+    // P1: the segment, and the outputs that the count announces, are published
     const PlcSegment* plc = core_.plc_segment.load(std::memory_order_acquire);
     if (!plc || dead_ || stopped_ || plan_.writes == 0 || fast_sent_ == 0) return Take::Nothing;
     const std::uint64_t count = plc->fast_count.load(std::memory_order_acquire);

@@ -21,15 +21,18 @@ public:
     bool due() const noexcept { return core_.tick % core_.config.plc_cycle_ticks == 0; }
     // The answer that acts now has come (virtual time waits for it).
     bool answered() const noexcept {
+        // P1: the segment, and the outputs that the counts announce
         const PlcSegment* plc = core_.plc_segment.load(std::memory_order_acquire);
         if (!plc || dead_ || stopped_) return true;
         if (plan_.writes != 0 && plc->fast_count.load(std::memory_order_acquire) < fast_sent_)
             return false;
+        // P1
         return !due() || sent_ == 0 || plc->cycle.load(std::memory_order_acquire) >= sent_;
     }
     // Virtual time waits for an answer at this tick.
     bool asked() const noexcept { return present() && (due() || plan_.writes != 0); }
     bool present() const noexcept {
+        // P3: only whether there is one (the order is stronger than needed)
         return core_.plc_segment.load(std::memory_order_acquire) != nullptr && !dead_;
     }
 

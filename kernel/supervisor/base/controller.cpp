@@ -21,6 +21,7 @@ namespace {
 // a loaded computer that starts sanitised programs
 constexpr auto kAttachTimeout = std::chrono::seconds(20);
 
+// P3: a flag, announces nothing
 std::atomic<bool> g_end{false};
 
 std::string program_of(std::size_t slot) {
@@ -85,6 +86,7 @@ Controller::~Controller() {
 void Controller::mark(std::size_t slot, ProcessState state, int pid) {
     ProcessEntry& entry = own().processes[slot];
     entry.pid = pid;
+    // P1: whoever sees the state sees this pid
     entry.state.store(static_cast<std::uint32_t>(state), std::memory_order_release);
 }
 
@@ -258,6 +260,7 @@ std::uint64_t Controller::send(Command command, std::int64_t tick) {
 
 bool Controller::try_send(const std::vector<Command>& commands, bool stop) {
     if (!send_kept()) return false;
+    // P4: own head. P3: how much room; push() looks itself (P2)
     const auto used = own().commands.head.load(std::memory_order_relaxed) -
                       kernel().command_tail.tail.load(std::memory_order_acquire);
     if (used + commands.size() + (stop ? 0 : kKeptForStops) > own().commands.capacity) return false;
@@ -288,6 +291,7 @@ bool Controller::send_kept() {
 void Controller::end_batch() {
     batching_ = false;
     auto& ring = own().commands;
+    // P4: own head. P2: the kernel has read what lay in the free slots
     const auto head = ring.head.load(std::memory_order_relaxed);
     const auto tail = kernel().command_tail.tail.load(std::memory_order_acquire);
     // Earliest first: if they do not all fit, the rest is due late enough to come singly.
@@ -295,6 +299,7 @@ void Controller::end_batch() {
                      [](const Command& a, const Command& b) { return a.tick < b.tick; });
     const std::size_t fit = std::min<std::size_t>(batch_.size(), ring.capacity - (head - tail));
     for (std::size_t i = 0; i < fit; ++i) ring.slot(head + i) = batch_[i];
+    // P1: all of the batch at once
     ring.head.store(head + fit, std::memory_order_release);
     own().bell.ring();
     std::vector<Command> rest(batch_.begin() + static_cast<std::ptrdiff_t>(fit), batch_.end());
@@ -381,6 +386,7 @@ void Controller::act(const ProcessAction& action,
 // there. The store takes it and says nothing.
 void Controller::forget_requests() {
     auto& ring = own().requests;
+    // P4: own head. P2: behind the tail the dead store has taken nothing
     const auto head = ring.head.load(std::memory_order_relaxed);
     for (auto i = (*store_)->request_tail.tail.load(std::memory_order_acquire); i < head; ++i) {
         const std::uint64_t id = ring.slot(i).id;
@@ -392,6 +398,7 @@ void Controller::forget_requests() {
 
 void Controller::forget_taken_requests() {
     auto& ring = own().requests;
+    // P4: own head. P2: the store has read what lies before its tail
     const auto head = ring.head.load(std::memory_order_relaxed),
                tail = (*store_)->request_tail.tail.load(std::memory_order_acquire);
     for (auto i = head > ring.capacity ? head - ring.capacity : 0; i < tail; ++i)
@@ -439,6 +446,7 @@ void Controller::look_for_successors(const std::function<void(const Diagnosis&)>
 }
 
 void Controller::beat() {
+    // P3: a counter, announces nothing (the order is stronger than needed)
     own().heartbeat.fetch_add(1, std::memory_order_release);
     if (!kept_.empty()) (void)send_kept();
 }

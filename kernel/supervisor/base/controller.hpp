@@ -67,6 +67,7 @@ public:
     std::uint64_t asked() const { return request_; }  // the number of the last request
     // of the last one that the store has taken
     std::uint64_t taken() const {
+        // P2: the store has read the requests before it
         return store().request_tail.tail.load(std::memory_order_acquire);
     }
     // Of the requests that the dead store has not taken nothing is left: its successor goes on

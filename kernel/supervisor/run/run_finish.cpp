@@ -24,6 +24,7 @@ void RunSession::finish() {
     // Cut short by a signal or the kernel's death: until now. In a long block nothing may have been
     // heard for minutes.
     if (!ending())
+        // P3: only the number counts (the order is stronger than needed)
         log_tick_ = std::max(
             log_tick_,
             static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)));

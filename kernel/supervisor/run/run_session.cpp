@@ -90,6 +90,7 @@ void RunSession::loop() {
     while (!done_) {
         const std::uint32_t seen = controller_->bell();
         // Everything of the last tick is in the log once the kernel shows the next one.
+        // P1: the log of the ticks before it is complete
         const bool complete = ending() && static_cast<std::int64_t>(controller_->kernel().tick.load(
                                               std::memory_order_acquire)) > end_tick_;
         const bool moved = drain();
@@ -116,6 +117,7 @@ void RunSession::loop() {
 bool RunSession::drain() {
     // Events of the ticks before this one are all in the log, so that the end, once it is among
     // them, is known before the samples of those ticks are written.
+    // P1
     const auto shown =
         static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire));
     bool moved = drain_log();
@@ -156,6 +158,7 @@ bool RunSession::drain_log() {
         take(copy);
         // Always said: the kernel does not leave «idle» before it, so a batch of commands (the
         // start) acts as one.
+        // P1: «nothing more to say»: what was sent before is visible
         controller_->own().log_seen.store(copy.seq, std::memory_order_release);
         if (follow_log_) controller_->own().bell.ring();
         if (done_) break;
@@ -440,6 +443,7 @@ bool RunSession::stands_on_purpose() {
 // again.
 void RunSession::take_idle(double t_s) {
     if (sent_ticks_.upper_bound(log_tick_) != sent_ticks_.end()) return;
+    // P4: own head. P3: only whether all are taken
     if (controller_->kernel().command_tail.tail.load(std::memory_order_acquire) !=
         controller_->own().commands.head.load(std::memory_order_relaxed))
         return;
@@ -490,6 +494,7 @@ void RunSession::take_idle(double t_s) {
 bool RunSession::request_fails(unsigned number) {
     const ChannelSegment* channel = controller_->channel(number);
     const std::uint64_t at =
+        // P1: the record at the tail is complete
         controller_->kernel().path_tail[number - 1].tail.load(std::memory_order_acquire);
     return channel && at < channel->path.head.load(std::memory_order_acquire) &&
            static_cast<RecordKind>(channel->path.slot(at).kind) == RecordKind::Barrier;
@@ -522,6 +527,7 @@ void RunSession::process_died(std::size_t slot, int status) {
 }
 
 void RunSession::watch_progress() {
+    // P3: numbers for a text, they announce nothing (the orders are stronger than needed)
     const std::uint64_t tick = controller_->kernel().tick.load(std::memory_order_acquire);
     const auto now = Clock::now();
     if (tick != progress_tick_) {
@@ -535,9 +541,11 @@ void RunSession::watch_progress() {
         const ChannelSegment* channel = controller_->channel(number);
         if (!channel) continue;
         const std::uint64_t sent =
+            // P3: as above
             controller_->kernel().events[number - 1].head.load(std::memory_order_acquire);
         who += fmt::format(
             "; channel {} has answered {} of {} events, {} records", number,
+            // P3
             channel->quiet.load(std::memory_order_acquire), sent,
             channel->path.head.load(std::memory_order_acquire) -
                 controller_->kernel().path_tail[number - 1].tail.load(std::memory_order_acquire));

@@ -99,9 +99,11 @@ Result<void> RunSession::start() {
         controller_->kernel().log, controller_->own().log_tail);
     trace_ = std::make_unique<RingConsumer<RingHead<TraceSample, 1024>>>(
         controller_->kernel().trace, controller_->own().trace_tail);
+    // P3: numbers alone count (the orders are stronger than needed)
     tick_s_ =
         static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_acquire)) * 1e-9;
     if (options_.virtual_time) return await_first_idle();
+    // P3
     origin_ =
         static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) +
         kRealLeadTicks;
@@ -142,6 +144,7 @@ Result<void> RunSession::await_first_idle() {
             log_tick_ = copy.tick;
         } else {
             early.push_back(copy);
+            // P1: what was sent before is visible
             controller_->own().log_seen.store(copy.seq, std::memory_order_release);
             controller_->own().bell.ring();
         }
@@ -262,6 +265,7 @@ void RunSession::send_start() {
         if (!is_key(planned)) send_planned(planned);
     controller_->end_batch();
     if (idle_seq_) {
+        // P1: the batch is visible before it
         controller_->own().log_seen.store(idle_seq_, std::memory_order_release);
         controller_->own().bell.ring();
     }

@@ -227,6 +227,7 @@ void StartSession::drain() {
         log_->pop();
         moved = true;
         take(copy);
+        // P1: what was sent before is visible
         controller_->own().log_seen.store(copy.seq, std::memory_order_release);
     }
     if (moved) controller_->own().bell.ring();
@@ -248,6 +249,7 @@ void StartSession::put_out(unsigned channel) {
 }
 
 void StartSession::take(const KernelEvent& event) {
+    // P3: constant since the segment was published
     const double t_s =
         static_cast<double>(event.tick) *
         static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_relaxed)) * 1e-9;

@@ -111,6 +111,7 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
         return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
     choose_display_language(params::get_text(*table, params::pt_display_language));
     picture->machine = derive_machine_config(*table);
+    // P3: constant since the segment was published (the order is stronger than needed)
     picture->tick_s =
         static_cast<double>((*kernel)->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     if (const auto plc = std::make_unique<PlcOutputs>(); (*kernel)->plc_seen.read(*plc))
@@ -118,6 +119,7 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
             picture->shown_tool[number - 1] = active_tool(*table, *plc, number);
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const ProcessEntry& entry = (*supervisor)->processes[slot];
+        // P1: the number of the process was stored before
         if (entry.state.load(std::memory_order_acquire) ==
             static_cast<std::uint32_t>(ProcessState::Running))
             picture->processes.emplace_back(process_name(slot), entry.pid);
