@@ -22,6 +22,7 @@ namespace {
 using namespace polyturn;
 using namespace polyturn::toolmgmt;
 
+// P3: a flag, announces nothing
 std::atomic<bool> stop{false};
 
 void catch_signals() {

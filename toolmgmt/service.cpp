@@ -49,6 +49,7 @@ void Service::tell_not_kept(const Diagnosis& why) {
     message.alarm = kStoreMessage;
     message.tool = static_cast<std::int32_t>(Alarm::NotKept);
     copy_text(message.text, why.text());
+    // P2: the kernel has read the answers before its tail
     (void)image_.push(message, kernel_->tool_tail.tail.load(std::memory_order_acquire));
 }
 
@@ -67,6 +68,7 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
         image_.read_into(values_);
         machine_ = derive_machine_config(values_.parameters);
     }
+    // P4: own word
     pending_index_ = image_.segment().persist_tail.tail.load();
     replay_from_ = image_.replay_from();
     // The transaction may have been the last thing that the predecessor did: the file knows better
@@ -95,6 +97,7 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
 // A predecessor that died between taking a request and its answer: whoever waits for it hears that.
 void Service::answer_what_was_begun() {
     StoreSegment& own = image_.segment();
+    // P4: own words
     const auto head = own.answers.head.load(std::memory_order_relaxed),
                tail = own.request_tail.tail.load(std::memory_order_relaxed);
     if (!image_.taken_over()) return;
@@ -179,18 +182,22 @@ void Service::look_for_kernel() {
     if (kernel_.attached()) {
         while (take_persist()) {}  // what the dead one pushed is final and still counts
         commit_pending({}, "program").ok();
+        // P2: nothing of its ring was taken. P4: on_disk is for a successor of this process
         own.persist_tail.tail.store(0, std::memory_order_release);
         own.on_disk.store(0, std::memory_order_release);
         replay_from_ = 0;
     } else if (own.persist_tail.tail.load() >
+               // P4: own tail. P3: of the head the number alone counts
                (*fresh)->persist.head.load(std::memory_order_acquire)) {
         // Store and kernel were both replaced: this is not the ring that the predecessor read.
+        // P2, P4: as above
         own.persist_tail.tail.store(0, std::memory_order_release);
         own.on_disk.store(0, std::memory_order_release);
         replay_from_ = 0;
     }
     kernel_ = std::move(*fresh);
     told_ = !unfit_;  // a new one has heard nothing
+    // P4: own word
     pending_index_ = own.persist_tail.tail.load();
 }
 
@@ -199,11 +206,13 @@ void Service::look_for_kernel() {
 // after it was read.
 void Service::replay() {
     StoreSegment& own = image_.segment();
+    // P4: own word
     const auto tail = own.persist_tail.tail.load();
     if (!kernel_.attached()) return;
     constexpr auto kCapacity = decltype(KernelSegment::persist)::capacity;
     std::vector<Change> changes;
     for (auto index = replay_from_; index < tail; ++index) {
+        // P5: the copy counts when the kernel has not come round since
         const StoreRequest request = kernel_->persist.slot(index);
         std::atomic_thread_fence(std::memory_order_acquire);
         if (kernel_->persist.head.load(std::memory_order_acquire) >= index + kCapacity) continue;
@@ -225,6 +234,7 @@ void Service::replay() {
 bool Service::take_persist() {
     if (!kernel_.attached()) return false;
     StoreSegment& own = image_.segment();
+    // P1: the requests before head are complete. P4: own tail
     const auto head = kernel_->persist.head.load(std::memory_order_acquire);
     auto index = own.persist_tail.tail.load(std::memory_order_relaxed);
     if (index >= head) return false;
@@ -278,8 +288,10 @@ bool Service::take_persist() {
     image_.publish(values_, changes);
     pending_index_ = index;
     // the image is out: virtual time may go on
+    // P1, P2: they were read, and what they changed is published
     own.persist_tail.tail.store(index, std::memory_order_release);
     own.bell.ring();
+    // P4: read by a successor
     if (pending_.empty()) own.on_disk.store(index, std::memory_order_release);
     return true;
 }
@@ -288,12 +300,14 @@ bool Service::take_requests() {
     StoreSegment& own = image_.segment();
     bool worked = false;
     for (;;) {
+        // P4: own tail. P1: the requests before head are complete
         const auto index = own.request_tail.tail.load(std::memory_order_relaxed);
         if (index >= supervisor_->requests.head.load(std::memory_order_acquire)) return worked;
         send_answers();
         if (!out_.empty()) return worked;
         // Room for the answer first: an operator's change whose answer cannot be given must not be
         // made.
+        // P4: own head. P2: room for the answer
         if (own.answers.head.load(std::memory_order_relaxed) -
                 supervisor_->answer_tail.tail.load(std::memory_order_acquire) >=
             decltype(StoreSegment::answers)::capacity)
@@ -321,6 +335,7 @@ bool Service::take_requests() {
                           : operate_safely(std::exchange(operation_, {}), request);
                 push_answer(request.id, text);
             }
+            // P2: it was read
             own.request_tail.tail.store(index + 1, std::memory_order_release);
             send_answers();
             own.bell.ring();
@@ -348,6 +363,7 @@ bool Service::take_requests() {
             import_.clear();
         }
         answer(request, applied);
+        // P2: it was read. P1: its answer is there
         own.request_tail.tail.store(index + 1, std::memory_order_release);
         own.bell.ring();
         worked = true;
@@ -358,15 +374,18 @@ bool Service::take_requests() {
 // follows in this segment.
 void Service::mark_begun(std::uint64_t id, unsigned times) {
     auto& ring = image_.segment().answers;
+    // P4: own head
     StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
     next = {};
     next.more = times;
+    // P8
     std::atomic_signal_fence(std::memory_order_release);
     next.id = id;
 }
 
 unsigned Service::begun_before(std::uint64_t id) {
     const auto& ring = image_.segment().answers;
+    // P4: own head
     const StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
     return next.id == id && id != 0 && next.ok == 0 && next.text[0] == 0 ? next.more : 0;
 }
@@ -436,8 +455,10 @@ void Service::answer(const StoreRequest& request, const Result<Applied>& applied
             copy_text(out.text, "stored, but: " + one_line(wrong.front()));
     }
     auto& ring = image_.segment().answers;
+    // P4: own head
     const auto head = ring.head.load(std::memory_order_relaxed);
     ring.slot(head) = out;
+    // P1: the answer is complete
     ring.head.store(head + 1, std::memory_order_release);
 }
 
@@ -460,12 +481,14 @@ void Service::look_at_condition() {
 
 void Service::tell_condition() {
     if (told_) return;
+    // P4: own head
     const auto head = image_.segment().tool_answers.head.load(std::memory_order_relaxed);
     if (!kernel_.attached() && head != 0) return;
     ToolAnswer message{};
     message.alarm = unfit_ ? kStoreUnfit : kStoreWhole;
     if (unfit_) message.tool = static_cast<std::int32_t>(disk_->condition().unfit->alarm);
     copy_text(message.text, unfit_text_);
+    // P2: the kernel has read the answers before its tail
     told_ = image_.push(
         message, kernel_.attached() ? kernel_->tool_tail.tail.load(std::memory_order_acquire) : 0);
 }
@@ -504,9 +527,11 @@ void Service::push_parameter_changes(const std::vector<Change>& changes) {
     auto& ring = own.param_changes;
     constexpr auto kCapacity = decltype(StoreSegment::param_changes)::capacity;
     for (const ParamChange& next : out) {
+        // P4: own head
         const auto head = ring.head.load(std::memory_order_relaxed);
         // A live kernel takes them every tick; one that does not within a second is dead or
         // stopped, and its successor reads the whole table. Without a kernel nobody reads the ring.
+        // P2: room, when the kernel has read what lay there
         for (int ms = 0;
              kernel_.attached() &&
              head - kernel_->param_tail.tail.load(std::memory_order_acquire) >= kCapacity &&
@@ -514,6 +539,7 @@ void Service::push_parameter_changes(const std::vector<Change>& changes) {
              ++ms)
             sleep_ms(1);
         ring.slot(head) = next;
+        // P1: the change is complete
         ring.head.store(head + 1, std::memory_order_release);
     }
 }
@@ -544,6 +570,7 @@ Result<void> Service::commit_pending(const std::vector<Change>& more, std::strin
         }
         pending_.clear();
     }
+    // P4: read by a successor
     image_.segment().on_disk.store(pending_index_, std::memory_order_release);
     if (disk_ && !more.empty()) return disk_->commit(more, who);
     return {};

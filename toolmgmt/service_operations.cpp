@@ -25,6 +25,7 @@ bool Service::answer_tool_call(const StoreRequest& request) {
         std::copy_n(disk_refuses_.begin(), std::min(disk_refuses_.size(), answer.text.size() - 1),
                     answer.text.begin());
     }
+    // P2: the kernel has read the answers before its tail
     return image_.push(answer, kernel_->tool_tail.tail.load(std::memory_order_acquire));
 }
 
@@ -37,6 +38,7 @@ void Service::tell_kernel(const std::vector<Change>& changes, std::uint64_t requ
         return;
     for (ToolAnswer& news : changes_of_tools_in_work(values_, *places_, changes)) {
         news.id = request;
+        // P2: the kernel has read the answers before its tail
         (void)image_.push(news, kernel_->tool_tail.tail.load(std::memory_order_acquire));
     }
 }
@@ -64,11 +66,13 @@ void Service::send_answers() {
     auto& ring = image_.segment().answers;
     bool sent = false;
     while (!out_.empty()) {
+        // P4: own head. P2: room, when the supervisor has read what lay there
         const auto head = ring.head.load(std::memory_order_relaxed);
         if (head - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >=
             decltype(StoreSegment::answers)::capacity)
             break;
         ring.slot(head) = out_.front();
+        // P1: the answer is complete
         ring.head.store(head + 1, std::memory_order_release);
         out_.pop_front();
         sent = true;

@@ -22,6 +22,7 @@ std::optional<OwnSegment<StoreSegment>> take_over(const std::string& instance,
     auto own = OwnSegment<StoreSegment>::adopt(instance);
     if (!own) return {};
     const SegmentHeader& header = (*own)->header;
+    // P1: of a segment that was published
     const bool serves = (*own)->supervisor.load() == supervisor.writer_pid &&
                         header.generation == supervisor.generation;
     const bool dead = kill(header.writer_pid, 0) != 0 && errno == ESRCH;
@@ -37,12 +38,14 @@ Result<StoreImage> StoreImage::create(const std::string& instance,
     if (auto own = take_over(instance, supervisor)) {
         image.own_ = std::move(*own);
         image.taken_over_ = true;
+        // P4: the predecessor has died: own word
         image.replay_from_ = image.own_->on_disk.load();
         return image;
     }
     auto own = OwnSegment<StoreSegment>::create(instance, supervisor.generation);
     if (!own) return own.diagnosis();
     image.own_ = std::move(*own);
+    // P1: seen with own_.publish()
     image.own_->supervisor.store(supervisor.writer_pid);
     return image;
 }
@@ -71,6 +74,7 @@ void StoreImage::publish_all(const StoreValues& values) {
     all_written_ = true;
     publish_tools(values, {});
     publish_users(values);
+    // P1: all tables, then the version that says so
     to.version.fetch_add(1, std::memory_order_release);
     to.header.writer_pid = getpid();  // whoever waits for this process sees only what it published
     own_.publish();
@@ -161,9 +165,11 @@ void StoreImage::publish_users(const StoreValues& values) {
 
 bool StoreImage::push(const ToolAnswer& answer, std::uint64_t taken) {
     auto& ring = own_->tool_answers;
+    // P4: own head; `taken` was acquired by whoever calls (P2)
     const auto head = ring.head.load(std::memory_order_relaxed);
     if (head - taken >= std::remove_reference_t<decltype(ring)>::capacity) return false;
     ring.slot(head) = answer;
+    // P1: the answer is complete
     ring.head.store(head + 1, std::memory_order_release);
     return true;
 }
@@ -193,6 +199,7 @@ void StoreImage::publish(const StoreValues& values, const std::vector<Change>& c
         return c.key.kind <= Kind::Edge && c.key.kind != Kind::Counter &&
                c.key.kind != Kind::Position && c.key.name != "counter";
     });
+    // P1: the tables, then the version that says so
     if (news) to.version.fetch_add(1, std::memory_order_release);
 }
 
