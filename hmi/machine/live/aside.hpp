@@ -64,6 +64,7 @@ private:
         std::condition_variable ready;
         std::optional<T> made;
         bool done = false;
+        // P3: a flag, announces nothing; what was made comes by the mutex
         std::atomic<bool> stop{false};
     };
     std::shared_ptr<Box> box_;

@@ -79,6 +79,7 @@ void Live::attach() {
     connected_ = true;
     why_.reset();
     ++generation_;
+    // P3: constant since the segment was published (the order is stronger than needed)
     tickSeconds_ = static_cast<double>(kernel_->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     storeVersion_ = tableVersion_ = 0;
     toolsSeen_ = edgesSeen_ = placesSeen_ = 0;
@@ -109,6 +110,7 @@ void Live::attachChannels() {
 }
 
 void Live::readStore() {
+    // P1: the tables of this version, or newer ones, are published
     const std::uint64_t version = storeSegment_->version.load(std::memory_order_acquire);
     const std::uint64_t table = storeSegment_->parameters.version();
     if (version == storeVersion_ && table == tableVersion_ && version != 0) return;
@@ -171,10 +173,12 @@ bool Live::scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) cons
     out.clear();
     if (!connected_) return true;
     constexpr std::uint64_t kRoom = kScopeRing - 64;  // what the kernel writes while this is read
+    // P1: the samples before head are complete. P5: they count when head has not come round since
     const std::uint64_t head = kernel_->scope.head.load(std::memory_order_acquire);
     const std::uint64_t first = std::max(std::min(next, head), head > kRoom ? head - kRoom : 0);
     const bool whole = first == next;
     for (std::uint64_t i = first; i < head; ++i) out.push_back(kernel_->scope.slot(i));
+    // P5
     const std::uint64_t now = kernel_->scope.head.load(std::memory_order_acquire);
     next = head;
     if (now > first + kScopeRing) out.clear();  // written over while it was read
@@ -185,6 +189,7 @@ double Live::stoppedSince() const {
     if (!connected_) return -1;
     // of the log; what the kernel writes while this is read
     constexpr std::uint64_t kRoom = 16'384 - 1'024;
+    // P1: the events before head are complete; those that may be written over are left out
     const std::uint64_t head = kernel_->log.head.load(std::memory_order_acquire),
                         first = head > kRoom ? head - kRoom : 0;
     double since = -1;
@@ -219,6 +224,7 @@ void Live::poll() {
     (void)kernel_->plc_inputs.read(*inputs_);
     (void)kernel_->plc_seen.read(*outputs_);
     for (std::size_t i = 0; i < tickCost_.size(); ++i)
+        // P3: counters, announce nothing
         tickCost_[i] = kernel_->tick_cost[i].load(std::memory_order_relaxed);
     for (const unsigned number : channels_) readChannel(number);
 }
@@ -239,6 +245,7 @@ void Live::readChannel(unsigned number) {
         }
     view.file = status.line && status.file < view.programs.size() ? status.file : 0;
     // The running record, or the one executed last.
+    // P1: the records before head are complete
     const std::uint64_t head =
         segment.attached() ? segment->path.head.load(std::memory_order_acquire) : 0;
     const bool running = status.record < head;
@@ -246,6 +253,7 @@ void Live::readChannel(unsigned number) {
         head ? segment->path.slot(running ? status.record : head - 1) : PathRecord{};
     // A hold or a reset has made void what was read ahead, and the channel has not yet told what
     // holds now: until then, what held before.
+    // P1: after a reset the picture of what holds now is there
     if (head && (segment->epoch.load(std::memory_order_acquire) != status.epoch ||
                  (!running && first.epoch != status.epoch && !rests(number))))
         return;
@@ -469,6 +477,7 @@ std::vector<Live::Process> Live::processes() const {
     if (!connected_) return out;
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const ProcessEntry& entry = supervisor_->processes[slot];
+        // P1: the number of the process was stored before
         const auto state = static_cast<ProcessState>(entry.state.load(std::memory_order_acquire));
         if (state != ProcessState::Absent) out.push_back({processName(slot), entry.pid, state});
     }

@@ -59,6 +59,7 @@ QStringList placeFiles();
 bool keepPlace(const QString& file, const QString& name, const QString& path);
 
 struct FileProgress {
+    // P3: numbers to look at, they announce nothing
     std::atomic<qint64> done{0}, all{0};
     std::atomic<int> files{0};
 };
