@@ -17,7 +17,8 @@ std::string statuses_name(const std::string& instance) {
 }
 
 // The segment of the drive process `pid` (0: of any), complete and of this version; else nothing.
-const PolyturnDriveStatuses* look(const std::string& instance, int pid, RawSegment& into) {
+const PolyturnDriveStatuses* look(const std::string& instance, int pid,
+                                  std::vector<RawSegment>& into) {
     auto raw = RawSegment::attach(statuses_name(instance), sizeof(PolyturnDriveStatuses));
     if (!raw) return nullptr;
     const auto* found = static_cast<const PolyturnDriveStatuses*>(raw->address());
@@ -27,7 +28,7 @@ const PolyturnDriveStatuses* look(const std::string& instance, int pid, RawSegme
         found->size != sizeof(PolyturnDriveStatuses) || (pid && found->writer_pid != pid) ||
         !process_lives(found->writer_pid))
         return nullptr;
-    into = std::move(*raw);
+    into.push_back(std::move(*raw));
     return found;
 }
 }  // namespace
@@ -99,7 +100,7 @@ bool SegmentDrives::attach(std::int64_t tick_ns, std::chrono::milliseconds timeo
 }
 
 bool SegmentDrives::attach_successor(int pid) {
-    const PolyturnDriveStatuses* found = look(instance_, pid, next_segment_);
+    const PolyturnDriveStatuses* found = look(instance_, pid, theirs_);
     // P7: offered; begin() takes it
     if (found) next_.store(found, std::memory_order_release);
     return found != nullptr;
@@ -109,7 +110,6 @@ bool SegmentDrives::attach_successor(int pid) {
 void SegmentDrives::begin() noexcept {
     // P7: a look, then it is taken
     if (next_.load(std::memory_order_relaxed))
-        // the old one stays mapped
         if (const PolyturnDriveStatuses* next = next_.exchange(nullptr, std::memory_order_acquire))
             statuses_.store(next);
     // P4: only this thread stores it

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "ipc/memory/segment.hpp"
 #include "kernel/drives/drive_segment.h"
@@ -52,10 +53,12 @@ private:
                   PolyturnDriveStatus& status) noexcept;
 
     std::string instance_;
-    RawSegment own_, theirs_, old_;
+    RawSegment own_;
+    // of the drive process and its successors: all stay mapped, for the tick may still read the one
+    // before
+    std::vector<RawSegment> theirs_;
     PolyturnDriveCommands* commands_ = nullptr;
     std::atomic<const PolyturnDriveStatuses*> statuses_{nullptr}, next_{nullptr};
-    RawSegment next_segment_;
     std::array<Slot, POLYTURN_DRIVE_SLOTS> slots_{};
     PolyturnCommandFrame draft_{};
     PolyturnStatusFrame newest_{};
