@@ -21,6 +21,8 @@ namespace polyturn {
 inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) noexcept {
     // P4: own head. P5: a serial seen too early is found out (B3)
     const std::uint64_t head = channel.pictures.head.load(std::memory_order_relaxed);
+    // P5: what follows stays behind the head of before: else B2 could miss that a picture is lost
+    std::atomic_thread_fence(std::memory_order_release);
     channel.picture_serials[head % kPictures].store(picture.serial, std::memory_order_relaxed);
     channel.pictures.slot(head) = picture;
     // P1: the picture is complete

@@ -101,6 +101,8 @@ static inline void polyturn_bell_wait(const uint32_t* bell, uint32_t seen, int64
 }
 static inline void polyturn_bell_wake(const uint32_t* bell) { syscall(SYS_futex, bell, FUTEX_WAKE, INT_MAX, (void*)0, (void*)0, 0); }
 static inline void polyturn_put_statuses(PolyturnDriveStatuses* to, const PolyturnStatusFrame* frame) {
+    /* P5: the frame is written behind the number of before: else a reader could miss it */
+    __atomic_thread_fence(__ATOMIC_RELEASE);
     memcpy(&to->frame[frame->cycle & 1u], frame, sizeof *frame);
     /* P1: the frame, then its number. P6: then the bell */
     __atomic_store_n(&to->cycle, frame->cycle, __ATOMIC_RELEASE);

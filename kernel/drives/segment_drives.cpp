@@ -134,6 +134,8 @@ void SegmentDrives::begin() noexcept {
 
 void SegmentDrives::end() noexcept {
     ++draft_.cycle;
+    // P5: the frame is written behind the number of before: else a reader could miss it
+    std::atomic_thread_fence(std::memory_order_release);
     commands_->frame[draft_.cycle & 1u] = draft_;
     // P1: the frame, then its number. P6: then the bell
     __atomic_store_n(&commands_->cycle, draft_.cycle, __ATOMIC_RELEASE);

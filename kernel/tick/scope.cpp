@@ -51,6 +51,9 @@ void Scope::sample(Core& core, const MachineStatus& status) noexcept {
     if (!any_) return;
     // P4: own head
     const std::uint64_t head = core.image.scope.head.load(std::memory_order_relaxed);
+    // P5: what follows stays behind the head of before: else a reader could miss that it is
+    // overtaken
+    std::atomic_thread_fence(std::memory_order_release);
     ScopeSample& out = core.image.scope.slot(head);
     out.tick = core.tick;
     for (std::size_t i = 0; i < kScopeTraces; ++i) {
