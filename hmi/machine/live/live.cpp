@@ -1,6 +1,7 @@
 #include "hmi/machine/live/live.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -178,11 +179,13 @@ bool Live::scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) cons
     const std::uint64_t first = std::max(std::min(next, head), head > kRoom ? head - kRoom : 0);
     const bool whole = first == next;
     for (std::uint64_t i = first; i < head; ++i) out.push_back(kernel_->scope.slot(i));
-    // P5
-    const std::uint64_t now = kernel_->scope.head.load(std::memory_order_acquire);
+    // P5: the kernel writes sample `now` into the place of now - kScopeRing
+    std::atomic_thread_fence(std::memory_order_acquire);
+    const std::uint64_t now = kernel_->scope.head.load(std::memory_order_relaxed);
+    const bool overtaken = now >= first + kScopeRing;  // written over while it was read
+    if (overtaken) out.clear();
     next = head;
-    if (now > first + kScopeRing) out.clear();  // written over while it was read
-    return whole && now <= first + kScopeRing;
+    return whole && !overtaken;
 }
 
 double Live::stoppedSince() const {
