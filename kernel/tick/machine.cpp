@@ -128,10 +128,10 @@ void Machine::take_restarted_processes() noexcept {
             core_.tools.rebind(core_.image, *segment);
             core_.store_dead = false;
         }
-    // P7
+    // P7: released too, for those taken before are written again
     if (core_.next_shapes.load(std::memory_order_relaxed) != nullptr)
         if (const ToolShapes* shapes =
-                core_.next_shapes.exchange(nullptr, std::memory_order_acquire)) {
+                core_.next_shapes.exchange(nullptr, std::memory_order_acq_rel)) {
             guard_.take_tools(*shapes);
             guard_.configure(core_.table, core_.config);
         }
