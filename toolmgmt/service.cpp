@@ -378,7 +378,7 @@ void Service::mark_begun(std::uint64_t id, unsigned times) {
     StoreAnswer& next = ring.slot(ring.head.load(std::memory_order_relaxed));
     next = {};
     next.more = times;
-    // P8
+    // P8: a successor that finds the id finds the count too
     std::atomic_signal_fence(std::memory_order_release);
     next.id = id;
 }

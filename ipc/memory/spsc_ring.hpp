@@ -50,7 +50,7 @@ template <class Half>
 class RingProducer {
 public:
     RingProducer(Half& half, const RingTail& tail)
-        // P2
+        // P2: the consumer has read the slots before its tail
         : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_acquire)) {}
     // The slot to fill next, nullptr when the ring is full. Nothing is sent before commit().
     [[nodiscard]] typename Half::value_type* claim() noexcept {
@@ -74,7 +74,7 @@ public:
         commit();
         return true;
     }
-    // P4
+    // P4: own head
     std::uint64_t head() const noexcept { return half_->head.load(std::memory_order_relaxed); }
 
 private:
@@ -109,7 +109,7 @@ public:
         tail_->tail.store(tail_->tail.load(std::memory_order_relaxed) + 1,
                           std::memory_order_release);
     }
-    // P4
+    // P4: own tail
     std::uint64_t tail() const noexcept { return tail_->tail.load(std::memory_order_relaxed); }
 
 private:

@@ -120,7 +120,7 @@ void SegmentDrives::begin() noexcept {
     if (cycle == newest_.cycle) return;
     static_assert(sizeof(PolyturnStatusFrame) < 8192);
     PolyturnStatusFrame frame = from->frame[cycle & 1u];
-    // P5
+    // P5: the second look at the number stays behind the copy
     std::atomic_thread_fence(std::memory_order_acquire);
     if (__atomic_load_n(&from->cycle, __ATOMIC_RELAXED) != cycle) return;
     for (Slot& slot : slots_) {

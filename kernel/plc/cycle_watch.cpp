@@ -15,7 +15,7 @@ std::atomic<std::uint64_t> last_seen{0};
 
 // Async-signal-safe: lock-free atomics, write, _exit.
 void check(int) {
-    // P3
+    // P3: only the numbers count
     const std::uint64_t now = running.load(std::memory_order_relaxed);
     if (now != 0 && now == last_seen.load(std::memory_order_relaxed)) {
         static constexpr char kText[] =
@@ -23,7 +23,7 @@ void check(int) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
         _exit(3);
     }
-    // P3
+    // P3: only the numbers count
     last_seen.store(now, std::memory_order_relaxed);
 }
 }  // namespace
@@ -38,7 +38,7 @@ void start() {
     setitimer(ITIMER_PROF, &every, nullptr);
 }
 
-// P3
+// P3: only the numbers count
 void begin(std::uint64_t cycle) noexcept { running.store(cycle, std::memory_order_relaxed); }
 void end() noexcept { running.store(0, std::memory_order_relaxed); }
 

@@ -110,16 +110,16 @@ void Machine::take_restarted_processes() noexcept {
         if (core_.next_channel[l].load(std::memory_order_relaxed) == nullptr ||
             !channels_[l]->may_be_replaced())
             continue;
-        // P7
+        // P7: taken
         if (const ChannelSegment* segment =
                 core_.next_channel[l].exchange(nullptr, std::memory_order_acquire))
             attach_channel(l, *segment);
     }
-    // P7
+    // P7: a look, then taken
     if (core_.next_plc.load(std::memory_order_relaxed) != nullptr)
         if (const PlcSegment* segment = core_.next_plc.exchange(nullptr, std::memory_order_acquire))
             attach_plc(*segment);
-    // P7
+    // P7: a look, then taken
     if (core_.next_store.load(std::memory_order_relaxed) != nullptr)
         if (const StoreSegment* segment =
                 core_.next_store.exchange(nullptr, std::memory_order_acquire)) {
@@ -135,7 +135,7 @@ void Machine::take_restarted_processes() noexcept {
             guard_.take_tools(*shapes);
             guard_.configure(core_.table, core_.config);
         }
-    // P7
+    // P7: a look, then taken
     if (core_.next_compensation.load(std::memory_order_relaxed) != nullptr) {
         bool rest = true;
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)

@@ -95,7 +95,7 @@ void Machine::publish() noexcept {
         status.route[a] = static_cast<std::uint8_t>(couplings_.route(a));
     scope_.sample(core_, status);
     core_.image.status.publish();
-    // P1: status, log and trace of this tick
+    // P1: the status, and log and trace of the ticks before
     core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);
 }
 

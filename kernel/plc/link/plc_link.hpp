@@ -26,7 +26,7 @@ public:
         if (!plc || dead_ || stopped_) return true;
         if (plan_.writes != 0 && plc->fast_count.load(std::memory_order_acquire) < fast_sent_)
             return false;
-        // P1
+        // P1: the outputs of that cycle are published
         return !due() || sent_ == 0 || plc->cycle.load(std::memory_order_acquire) >= sent_;
     }
     // Virtual time waits for an answer at this tick.

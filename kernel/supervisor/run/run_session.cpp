@@ -117,7 +117,7 @@ void RunSession::loop() {
 bool RunSession::drain() {
     // Events of the ticks before this one are all in the log, so that the end, once it is among
     // them, is known before the samples of those ticks are written.
-    // P1
+    // P1: log and trace of the ticks before this one are complete
     const auto shown =
         static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire));
     bool moved = drain_log();
@@ -545,7 +545,7 @@ void RunSession::watch_progress() {
             controller_->kernel().events[number - 1].head.load(std::memory_order_acquire);
         who += fmt::format(
             "; channel {} has answered {} of {} events, {} records", number,
-            // P3
+            // P3: as above
             channel->quiet.load(std::memory_order_acquire), sent,
             channel->path.head.load(std::memory_order_acquire) -
                 controller_->kernel().path_tail[number - 1].tail.load(std::memory_order_acquire));

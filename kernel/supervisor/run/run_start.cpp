@@ -103,7 +103,7 @@ Result<void> RunSession::start() {
     tick_s_ =
         static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_acquire)) * 1e-9;
     if (options_.virtual_time) return await_first_idle();
-    // P3
+    // P3: as above
     origin_ =
         static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) +
         kRealLeadTicks;
