@@ -4,57 +4,57 @@
 <context>
     <name>hmi</name>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>  of it cutting</source>
         <translation>  из него резание</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>  of it rapid</source>
         <translation>  из него ускоренный ход</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>  of it waiting</source>
         <translation>  из него ожидание</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>%1 a part</source>
         <translation>%1 на деталь</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>%1 ago</source>
         <translation>%1 назад</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1 by %2: straightness</source>
         <translation>%1 по %2: прямолинейность</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 cannot be the name of a program</source>
         <translation>%1 не годится в имя программы</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>%1 has a new insert: its life begins anew, the wear of its offset stays</source>
         <translation>%1: новая пластина, ресурс начинается заново, износ её корректора остаётся</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>%1 has values again: they stay</source>
         <translation>У %1 снова есть значения: они остаются</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>всего %1</translation>
     </message>
@@ -64,97 +64,97 @@
         <translation>прерваны: %1</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1 is %2 by now: it stays</source>
         <translation>%1: уже %2, оставлено как есть</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>%1 is being opened</source>
         <translation>%1 открывается</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>%1 is being read: the place answers slowly</source>
         <translation>%1 читается: носитель отвечает медленно</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>%1 is being written: the place answers slowly</source>
         <translation>%1 записывается: носитель отвечает медленно</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>%1 is deleted</source>
         <translation>%1: удалено</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>Вход выполнен: %1</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>%1 is new</source>
         <translation>Новая кромка: %1</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>%1 is not such a value</source>
         <translation>%1 сюда не подходит</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected</source>
         <translation>%1 защищён</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected by F3202</source>
         <translation>%1 защищена параметром F3202</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected: a login of a higher level may change it</source>
         <translation>%1 защищён: менять может вход с более высоким уровнем</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is read-only</source>
         <translation>%1 только для чтения</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>%1 is selected</source>
         <translation>Выбрано: %1</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>%1 is selected in L%2</source>
         <translation>%1 выбрана в L%2</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>%1 is selected in its channels</source>
         <translation>%1 выбрано в своих каналах</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>%1 is taken out</source>
         <translation>%1 извлечён</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>%1 is there again</source>
         <translation>%1: восстановлено</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is there already</source>
         <translation>%1 уже есть</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 из %2</translation>
     </message>
@@ -164,7 +164,7 @@
         <translation>работают: %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>через %1 с после запуска УЧПУ</translation>
     </message>
@@ -174,12 +174,12 @@
         <translation>стоят: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 стоит в %2</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>%1 too long</source>
         <translation>слишком долгих: %1</translation>
     </message>
@@ -189,32 +189,32 @@
         <translation>ждут: %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>%1 waits for nobody, nobody waits for it: press again</source>
         <translation>%1 никого не ждёт, и его никто: нажмите ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>%1 was refused: %2</source>
         <translation>%1: отказ: %2</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1: acts as soon as the axes rest</source>
         <translation>%1: действует, как только оси остановятся</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>%1: another value stands there by now, it stays</source>
         <translation>%1: там уже другое значение, оно остаётся</translation>
     </message>
     <message>
-        <location filename="../widgets/magazine.cpp"/>
+        <location filename="../widgets/pictures/magazine.cpp"/>
         <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
         <translation>%1: выберите место, Enter поставит, Escape отменит</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1: gradient</source>
         <translation>%1: градиент</translation>
     </message>
@@ -224,37 +224,37 @@
         <translation>%1: программа не выбрана</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1: periodic</source>
         <translation>%1: периодическая</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1: pitch</source>
         <translation>%1: шаг винта</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>%1: pitch, negative direction</source>
         <translation>%1: шаг винта, в минус</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>%1: start goes on</source>
         <translation>%1: пуск продолжит</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>%1; %2: not so</source>
         <translation>%1; %2: нет</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(ограничено)</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>+ Input</source>
         <translation>+ Ввод</translation>
     </message>
@@ -264,12 +264,12 @@
         <translation>0.1 шага</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>1/10 lead</source>
         <translation>1/10 шага</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>1/100 s</source>
         <translation>1/100 с</translation>
     </message>
@@ -279,7 +279,7 @@
         <translation>1/К</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>1/min</source>
         <translation>об/мин</translation>
     </message>
@@ -289,12 +289,12 @@
         <translation>1/с</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>2 to 30 a second</source>
         <translation>от 2 до 30 в секунду</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>250 to 1000 ms</source>
         <translation>от 250 до 1000 мс</translation>
     </message>
@@ -304,42 +304,42 @@
         <translation>5-осевая обработка</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Кадр вручную (РВД)</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>A block entered by hand waits: start runs it</source>
         <translation>Ждёт кадр, введённый вручную: пуск выполнит его</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
         <translation>Часть длинной программы: строки %1–%2, %3 % её. «Проверка, ожидания» проверяет всю программу.</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
         <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Ручное перемещение в останове»</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>A program works with it: press again</source>
         <translation>Используется программой: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Для пуска нужно:</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>A value is needed here.</source>
         <translation>Здесь нужно значение.</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Нет</translation>
     </message>
@@ -349,117 +349,117 @@
         <translation>Ускорение</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Accept proposal</source>
         <translation>Принять</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Active</source>
         <translation>Действует</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Active alarms</source>
         <translation>Активные</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>Со следующего T</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Active at the next T or D</source>
         <translation>Со следующего T или D</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Active from the next blocks</source>
         <translation>Со следующих кадров</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Add a line</source>
         <translation>Добавить отрезок</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Add an arc G2</source>
         <translation>Добавить дугу G2</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Add an arc G3</source>
         <translation>Добавить дугу G3</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Addresses by DHCP</source>
         <translation>Адреса от DHCP</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>After</source>
         <translation>Стало</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Alarm</source>
         <translation>Авария</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.hpp"/>
+        <location filename="../screens/machine/alarms.hpp"/>
         <source>Alarms</source>
         <translation>Аварии</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>All are at their blocks: start makes the approach</source>
         <translation>Все у своих кадров: пуск начнёт подход</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>All axes move: press again</source>
         <translation>Все оси поедут: нажмите ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>All channels</source>
         <translation>Все каналы</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>All from their last tool call</source>
         <translation>Все с вызова инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>All groups</source>
         <translation>Все группы</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>All tables</source>
         <translation>Все таблицы</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>All tools</source>
         <translation>Все инструменты</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>All zeros together</source>
         <translation>Сумма смещений</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Along</source>
         <translation>Вдоль</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Along axis</source>
         <translation>Вдоль оси</translation>
     </message>
@@ -469,17 +469,17 @@
         <translation>Авария сняла блокировку для протирки.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>An arc turns through less than 360°.</source>
         <translation>Дуга меньше 360°.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Angle at its end to +Z</source>
         <translation>Угол в конце к +Z</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Angle at its start to +Z</source>
         <translation>Угол в начале к +Z</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>Угол между отверстиями; 0: равномерно</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Angle it turns through</source>
         <translation>Угол дуги</translation>
     </message>
@@ -519,57 +519,57 @@
         <translation>Угол вершины резца</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Angle to +Z</source>
         <translation>Угол к +Z</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Another cycle</source>
         <translation>Другой цикл</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Applied now</source>
         <translation>Действует сейчас</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Arc G2</source>
         <translation>Дуга G2</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Arc G3</source>
         <translation>Дуга G3</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Automatic</source>
         <translation>Автомат</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Axes</source>
         <translation>Оси</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Axes and drives</source>
         <translation>Оси и приводы</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Axes are moved by hand while the machine is on</source>
         <translation>Оси движутся вручную при включённом станке</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Axes of L%1</source>
         <translation>Оси L%1</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Ось</translation>
     </message>
@@ -599,17 +599,17 @@
         <translation>Назад</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Back to the text</source>
         <translation>К тексту</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Backup</source>
         <translation>Копия</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Backups</source>
         <translation>Резервные копии</translation>
     </message>
@@ -624,42 +624,42 @@
         <translation>Бочкообразная резьба по дуге, против часовой стрелки</translation>
     </message>
     <message>
-        <location filename="../machine/edge_words.cpp"/>
+        <location filename="../machine/tools/edge_words.cpp"/>
         <source>Base</source>
         <translation>База</translation>
     </message>
     <message>
-        <location filename="../machine/edge_words.cpp"/>
+        <location filename="../machine/tools/edge_words.cpp"/>
         <source>Base R</source>
         <translation>База R</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Base lengths</source>
         <translation>Базовые длины</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Before</source>
         <translation>Было</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Begins anew, stood in line %1: press again</source>
         <translation>Сначала (был на строке %1): ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Пропуск кадров</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Block skip %1</source>
         <translation>Пропуск кадров %1</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Blocks are entered in MDI, or while a program is held</source>
         <translation>Кадры вводятся в режиме РВД или пока программа остановлена</translation>
     </message>
@@ -724,57 +724,57 @@
         <translation>Дно отверстия, если глубина не задана</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts.</source>
         <translation>Сначала отведите оси в безопасное место. Дважды коснитесь кадра (или Enter) либо введите его номер. «Перезапуск» просчитает программу до него без движения, с учётом ожиданий. Первый пуск покажет, что будет выполнено; второй вызовет инструмент и функции, подведёт оси и начнёт резание.</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Сломан</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Calibrate</source>
         <translation>Калибровать</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Calibrated: %1 µm a pixel, tilted by %2°</source>
         <translation>Откалибровано: %1 мкм на пиксель, наклон %2°</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Call %1</source>
         <translation>Вызвать %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Called by</source>
         <translation>Вызов</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Не записать: %1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Cause</source>
         <translation>Причина</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Cell %1</source>
         <translation>Ячейка %1</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Centre X</source>
         <translation>Центр X</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Centre Z</source>
         <translation>Центр Z</translation>
     </message>
@@ -799,17 +799,17 @@
         <translation>Центр окружности, 2-я ось (X: радиус)</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Chamfer or rounding has no room here.</source>
         <translation>Для фаски или скругления нет места.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Chamfer to the next one</source>
         <translation>Фаска к следующему</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>Change</source>
         <translation>Изменить</translation>
     </message>
@@ -819,37 +819,37 @@
         <translation>Изменение шага за оборот</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Changed</source>
         <translation>Изменено</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Changed only</source>
         <translation>Только изменённые</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Changes of %1</source>
         <translation>Изменения: %1</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Channel</source>
         <translation>Канал</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Check, waits</source>
         <translation>Проверка, ожидания</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
         <translation>Выберите копию: «Что изменится» сравнит её со станком, пока ничего не меняя.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Choose a cycle: touch it twice, or Enter.</source>
         <translation>Выберите цикл: коснитесь дважды или Enter.</translation>
     </message>
@@ -859,32 +859,32 @@
         <translation>Выберите поле</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Choose a job or a program</source>
         <translation>Выберите задание или программу</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Choose a picture of the tool's shadow</source>
         <translation>Выберите снимок тени инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Choose a signal; type a part of its name</source>
         <translation>Выберите сигнал; наберите часть имени</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Choose signal</source>
         <translation>Выбрать сигнал</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Chuck S%1</source>
         <translation>Патрон S%1</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Chuck zone of L%1</source>
         <translation>Зона патрона L%1</translation>
     </message>
@@ -894,22 +894,22 @@
         <translation>Зоны патрона и бабки</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Круглость</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Circularity error</source>
         <translation>Отклонение от круглости</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Clear</source>
         <translation>Очистить</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Clear search</source>
         <translation>Очистить поиск</translation>
     </message>
@@ -924,27 +924,27 @@
         <translation>Закрыть</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Commanded</source>
         <translation>Задано</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Compare</source>
         <translation>Сравнить</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Comparison</source>
         <translation>Сравнение</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Компенсация</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Compensation tables</source>
         <translation>Таблицы компенсации</translation>
     </message>
@@ -954,27 +954,27 @@
         <translation>Компьютер</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Время счёта тактов</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Confirm the loss</source>
         <translation>Признать потерю</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Confirmed: production goes on with what is left</source>
         <translation>Подтверждено: работа идёт дальше с тем, что осталось</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Continuous</source>
         <translation>Непрерывно</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Контур</translation>
     </message>
@@ -984,17 +984,17 @@
         <translation>Координаты</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Copied and compared</source>
         <translation>Скопировано и сверено</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Copy to here</source>
         <translation>Копировать сюда</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Copy, delete ...</source>
         <translation>Копия, удаление ...</translation>
     </message>
@@ -1004,57 +1004,57 @@
         <translation>Внутренний диаметр в конце</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Corrected</source>
         <translation>Исправляет</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Corrected axis</source>
         <translation>Исправляемая ось</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Correction</source>
         <translation>Поправка</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Couplings</source>
         <translation>Связи</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Couplings and exchanges</source>
         <translation>Связи и обмен осей</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Cutting</source>
         <translation>Резание</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Cutting time</source>
         <translation>Время резания</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Cycle</source>
         <translation>Цикл</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Cycle form</source>
         <translation>Форма цикла</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
         <translation>Цикл последний, средний</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Cycle now</source>
         <translation>Цикл сейчас</translation>
     </message>
@@ -1064,62 +1064,62 @@
         <translation>Тёмная</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Date and time</source>
         <translation>Дата и время</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Decides the time</source>
         <translation>Критич. путь</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Default</source>
         <translation>По умолчанию</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Default value</source>
         <translation>По умолчанию</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Delete</source>
         <translation>Удалить</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Delete all</source>
         <translation>Удалить все</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Delete edge</source>
         <translation>Удалить кромку</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Удалить элемент</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Delete tool</source>
         <translation>Удалить инструмент</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Delete user</source>
         <translation>Удалить</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Deleted</source>
         <translation>Удалено</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Depends on</source>
         <translation>Зависит от</translation>
     </message>
@@ -1174,17 +1174,17 @@
         <translation>Глубина отверстия</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Deviation</source>
         <translation>Отклон.</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.hpp"/>
+        <location filename="../screens/machine/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Диагностика</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Diameter</source>
         <translation>Диаметр</translation>
     </message>
@@ -1194,7 +1194,7 @@
         <translation>Диаметр в конце</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Diameter of the pin</source>
         <translation>Диаметр калибра</translation>
     </message>
@@ -1204,27 +1204,27 @@
         <translation>Диаметр этого прохода в конце</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Difference</source>
         <translation>Разница</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>Differences: %1</source>
         <translation>Различий: %1</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Differs from file</source>
         <translation>Отличия от файла</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Размер</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Do this step</source>
         <translation>Выполнить шаг</translation>
     </message>
@@ -1289,22 +1289,22 @@
         <translation>Сверление, цекование после каждого кадра с движением</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Авария привода</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Dry run</source>
         <translation>Пробный прогон</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Dry run %1</source>
         <translation>Пробный прогон %1</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Dwell</source>
         <translation>Пауза</translation>
     </message>
@@ -1319,22 +1319,22 @@
         <translation>Выдержка на дне; отрицательная: обороты</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Edge D</source>
         <translation>Кромка D</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Edit</source>
         <translation>Правка</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Editor</source>
         <translation>Редактор</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Effect</source>
         <translation>Действие</translation>
     </message>
@@ -1354,7 +1354,7 @@
         <translation>Очистить</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Empty the field</source>
         <translation>Очистить поле</translation>
     </message>
@@ -1374,7 +1374,7 @@
         <translation>Конец обратного хода Z</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>End point X</source>
         <translation>Конечная точка X</translation>
     </message>
@@ -1389,7 +1389,7 @@
         <translation>Конечная точка X, если резьба коническая</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>End point Z</source>
         <translation>Конечная точка Z</translation>
     </message>
@@ -1404,27 +1404,27 @@
         <translation>Конечная точка Z, если резьба коническая</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>End with this part</source>
         <translation>Стоп после детали</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Ended</source>
         <translation>Завершён</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Прервёт все: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Прервёт программу: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Ends the programs of the group: press again</source>
         <translation>Прервёт всю группу: ещё раз</translation>
     </message>
@@ -1434,87 +1434,87 @@
         <translation>Enter</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Enter it</source>
         <translation>Ввести</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Enter takes the block first</source>
         <translation>Сначала примите кадр клавишей Enter</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Enter takes the block, Start runs it</source>
         <translation>Enter принимает кадр, пуск выполняет</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Enter the job's zeros</source>
         <translation>Ввести нули задания</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
         <translation>Введите начальную точку, затем добавляйте отрезки и дуги по чертежу.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Enter, or a second touch, changes it.</source>
         <translation>Enter или второе касание меняет.</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Entered</source>
         <translation>Введено</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Enters the relative counter: press again</source>
         <translation>Введёт счётчик: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Enters what was touched: press again</source>
         <translation>Введёт измеренное: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Каждая ось и шпиндель сами по себе: нет связей, обмена и слежения.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Everything becomes as then: press again</source>
         <translation>Всё станет как тогда: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Exchange</source>
         <translation>Поменять</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Exchange with it</source>
         <translation>Поменять с ним</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Export</source>
         <translation>Экспорт</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>External</source>
         <translation>Внеш. смещение</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>F11, or the key at the top: the next one</source>
         <translation>F11 или кнопка вверху: следующий</translation>
     </message>
@@ -1539,7 +1539,7 @@
         <translation>Подрезка, один проход</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Factor</source>
         <translation>Множитель</translation>
     </message>
@@ -1599,22 +1599,22 @@
         <translation>Fanuc: программы</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Faster</source>
         <translation>Быстрее</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Feed</source>
         <translation>Подача</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Feed hold</source>
         <translation>Стоп подачи</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Feed hold: start goes on</source>
         <translation>Стоп подачи: пуск продолжит</translation>
     </message>
@@ -1664,17 +1664,17 @@
         <translation>Подача</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Field</source>
         <translation>Адрес</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Files</source>
         <translation>Файлы</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Filter</source>
         <translation>Фильтр</translation>
     </message>
@@ -1704,7 +1704,7 @@
         <translation>Чистовых проходов</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>First WINS server</source>
         <translation>Первый WINS</translation>
     </message>
@@ -1714,57 +1714,57 @@
         <translation>Первый кадр контура</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>First name server</source>
         <translation>Первый DNS</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>First part</source>
         <translation>Первая деталь</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>First part %1</source>
         <translation>Первая деталь %1</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>First part: start goes on with this tool</source>
         <translation>Первая деталь: пуск продолжит этим инструментом</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>First to stop the machine: %1; parts until then: %2</source>
         <translation>Первым остановит станок: %1; деталей до этого: %2</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Follow. error</source>
         <translation>Рассогл.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>For the offset and the gauge pin</source>
         <translation>Для корректора и калибра</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Forget place</source>
         <translation>Забыть папку</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Found: %1</source>
         <translation>Найдено: %1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Free</source>
         <translation>Свободно</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Откуда</translation>
     </message>
@@ -1779,7 +1779,7 @@
         <translation>Переход на подачу (уровень R)</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>From the beginning</source>
         <translation>С начала</translation>
     </message>
@@ -1789,7 +1789,7 @@
         <translation>От начала до первого отверстия</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Full torque</source>
         <translation>Полный момент суппорта</translation>
     </message>
@@ -1799,32 +1799,32 @@
         <translation>код G</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Gateway</source>
         <translation>Шлюз</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Geom.</source>
         <translation>Геом.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Geometry + wear</source>
         <translation>Геометрия + износ</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Give this level</source>
         <translation>Задать уровень</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Given</source>
         <translation>Задано</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Возвращается на своё место</translation>
     </message>
@@ -1834,12 +1834,12 @@
         <translation>Коррекция наклона</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Graphics</source>
         <translation>Графика</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Greatest, least deviation</source>
         <translation>Отклонение, макс. / мин.</translation>
     </message>
@@ -1854,7 +1854,7 @@
         <translation>Канавки вдоль Z</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Group %1</source>
         <translation>Группа %1</translation>
     </message>
@@ -1864,12 +1864,12 @@
         <translation>Руководство</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Маховичок</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Handwheel offset</source>
         <translation>Смещение маховичком</translation>
     </message>
@@ -1879,7 +1879,7 @@
         <translation>Высота резьбы (радиус)</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Held</source>
         <translation>Удержан</translation>
     </message>
@@ -1889,17 +1889,17 @@
         <translation>Справка</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Highest bar: %1 of %2 ticks; both scales are logarithmic</source>
         <translation>Самый высокий столбец: %1 из %2 тактов; обе шкалы логарифмические</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>History</source>
         <translation>Журнал</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Hold %1</source>
         <translation>Стоп подачи %1</translation>
     </message>
@@ -1909,17 +1909,17 @@
         <translation>Стоп подачи всех</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Hold group %1</source>
         <translation>Стоп подачи группы %1</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>How</source>
         <translation>Как</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>How long</source>
         <translation>Длит.</translation>
     </message>
@@ -1929,192 +1929,192 @@
         <translation>Гц</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Ignore waits %1</source>
         <translation>Без ожиданий %1</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>В позиции</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>In the file</source>
         <translation>В файле</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>In this magazine</source>
         <translation>В этом магазине</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Increment in X (radius)</source>
         <translation>Приращение по X (радиус)</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Increment in Z</source>
         <translation>Приращение по Z</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Input</source>
         <translation>Ввод</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Interrupted</source>
         <translation>Прерван</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Interval meter</source>
         <translation>Интервальный счётчик</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>It acts at once: press again</source>
         <translation>Действует сразу: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>It cannot be read: %1</source>
         <translation>Не читается: %1</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/programs/editor_files.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Показать нельзя.</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>It comes by DHCP (N5108)</source>
         <translation>Приходит по DHCP (N5108)</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
         <translation>Синхронизация с гл. шпинделем</translation>
     </message>
     <message>
-        <location filename="../machine/dry_run.cpp"/>
+        <location filename="../machine/programs/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Результата нет.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>It is entered</source>
         <translation>Введено</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>It is gone for good: press again</source>
         <translation>Удалится навсегда: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>It is gone: press again</source>
         <translation>Исчезнет: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/programs/editor_files.cpp"/>
         <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
         <translation>Это не текст UTF-8: правка испортит его.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>It is the gauge pin: press again</source>
         <translation>Это калибр: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>It runs now: press again</source>
         <translation>Она работает: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/dry_run.cpp"/>
+        <location filename="../machine/programs/dry_run.cpp"/>
         <source>It was stopped.</source>
         <translation>Остановлено.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Its blocks were edited by hand: writing replaces them.</source>
         <translation>Кадры изменены вручную: запись их заменит.</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
         <translation>Зажать патрон противошпинделя</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
         <translation>Разжать патрон противошпинделя</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Its data contradict each other, or nothing fits them.</source>
         <translation>Данные противоречат друг другу или им ничто не подходит.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Its values go: press again</source>
         <translation>Значения пропадут: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Jog</source>
         <translation>Ручной</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Подвести к детали</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Jog in hold %1</source>
         <translation>Ручное перемещение в останове %1</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Jog keys</source>
         <translation>Клавиши осей</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Jog: pull the part out</source>
         <translation>Вытянуть деталь</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Keep as place</source>
         <translation>Запомнить папку</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Kept, but: %1</source>
         <translation>Сохранено, но: %1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Kept: %1</source>
         <translation>Запомнено: %1</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Keyboard</source>
         <translation>Клавиатура</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Keyboard layout</source>
         <translation>Раскладка клавиатуры</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Kind</source>
         <translation>Вид</translation>
     </message>
@@ -2124,12 +2124,12 @@
         <translation>Вид врезания</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Kind of place that it needs, 0 any</source>
         <translation>Вид нужного места, 0 любое</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
         <translation>Вид: 500 черновой, 510 чистовой, 200 сверло ...</translation>
     </message>
@@ -2139,57 +2139,57 @@
         <translation>L%1 спрашивает: %2</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
         <translation>L%1 определяет %2 из %3: ускорение здесь сокращает цикл.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>L%1 is in automatic mode: choose Jog or MDI</source>
         <translation>L%1 в автоматическом режиме: выберите «Ручной» или «РВД»</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: начать с кадра</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>L%1: straightness, pair %2</source>
         <translation>L%1: прямолинейность, пара %2</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>L%1: volume</source>
         <translation>L%1: объём</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Lag</source>
         <translation>Рассогл.</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>Language of the screens</source>
         <translation>Язык экранов</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Larger</source>
         <translation>Крупнее</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Largest</source>
         <translation>Наибольшая</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Largest speed</source>
         <translation>Наибольшие обороты</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Last</source>
         <translation>Последний</translation>
     </message>
@@ -2199,7 +2199,7 @@
         <translation>Последний кадр контура</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Last tool call</source>
         <translation>Вызов инструмента</translation>
     </message>
@@ -2244,7 +2244,7 @@
         <translation>Наименьшая глубина шага</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Length</source>
         <translation>Длина</translation>
     </message>
@@ -2254,47 +2254,47 @@
         <translation>Длина сбега</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Level</source>
         <translation>Уровень</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Life</source>
         <translation>Ресурс</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Life and forecast</source>
         <translation>Ресурс и прогноз</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Life and wear to 0: press again</source>
         <translation>Ресурс и износ в 0: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Life group of programs</source>
         <translation>Группа ресурса программ</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Life left</source>
         <translation>Остаток ресурса</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Life measured in</source>
         <translation>Единица ресурса</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Life nearly over</source>
         <translation>Ресурс на исходе</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Life to 0, wear stays: press again</source>
         <translation>Ресурс в 0, износ остаётся: ещё раз</translation>
     </message>
@@ -2304,27 +2304,27 @@
         <translation>Светлая</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Line</source>
         <translation>Отрезок</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Line %1 of the description cannot be read: a new contour begins here.</source>
         <translation>Строка %1 описания не читается: здесь начинается новый контур.</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
         <translation>Ограничить момент суппорта</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Load</source>
         <translation>Загрузить</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Loading station</source>
         <translation>Станция загрузки</translation>
     </message>
@@ -2334,17 +2334,17 @@
         <translation>Протирка</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Lock place</source>
         <translation>Блокировать место</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Lock tool</source>
         <translation>Блокировать инструмент</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Locked</source>
         <translation>Заблокирован</translation>
     </message>
@@ -2354,52 +2354,52 @@
         <translation>Экран заблокирован для протирки</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Log in</source>
         <translation>Войти</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Log in to see the users.</source>
         <translation>Войдите, чтобы увидеть пользователей.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Log of stops</source>
         <translation>Журнал остановов</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Log out</source>
         <translation>Выйти</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Logged in: %1, %2</source>
         <translation>Вход выполнен: %1 (%2)</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Longer</source>
         <translation>Окно больше</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Longest wait: L%1 stands %2 s at %3 (line %4).</source>
         <translation>Самое долгое ожидание: L%1 стоит %2 с на %3 (строка %4).</translation>
     </message>
     <message>
-        <location filename="../machine/requests.cpp"/>
+        <location filename="../machine/live/requests.cpp"/>
         <source>Look whether the controller runs; try again.</source>
         <translation>Проверьте, работает ли УЧПУ; повторите.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Lost: %1</source>
         <translation>Потеряно: %1</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Lower</source>
         <translation>Нижн.</translation>
     </message>
@@ -2409,7 +2409,7 @@
         <translation>код M</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>MDI</source>
         <translation>РВД</translation>
     </message>
@@ -2419,27 +2419,27 @@
         <translation>Константы MEFI</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Machine</source>
         <translation>Станок</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Machine lock</source>
         <translation>Блокировка осей</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Machine lock %1</source>
         <translation>Блокировка осей %1</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Machine off</source>
         <translation>Станок выключен</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Machine on</source>
         <translation>Станок вкл.</translation>
     </message>
@@ -2449,7 +2449,7 @@
         <translation>Макропрограммы</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Magazines</source>
         <translation>Магазины</translation>
     </message>
@@ -2459,7 +2459,7 @@
         <translation>Главная ось: 0 Z, 1 X</translation>
     </message>
     <message>
-        <location filename="../screens/manual.hpp"/>
+        <location filename="../screens/overview/manual.hpp"/>
         <source>Manual</source>
         <translation>Вручную</translation>
     </message>
@@ -2469,92 +2469,92 @@
         <translation>Маховичок</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Mark</source>
         <translation>Отметить</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Marked: %1</source>
         <translation>Отмечено: %1</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Max</source>
         <translation>Макс.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>May be used</source>
         <translation>Разрешён к работе</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Mean</source>
         <translation>Средний</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Meaning</source>
         <translation>Описание</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Measure</source>
         <translation>Измерить</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Measured</source>
         <translation>Измерено</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Measured file</source>
         <translation>Файл измерений</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Measured parts</source>
         <translation>Замеры деталей</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Measured: %1</source>
         <translation>Измерено: %1</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Measures ...</source>
         <translation>Измерение ...</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Message</source>
         <translation>Сообщение</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Min</source>
         <translation>Мин.</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>More</source>
         <translation>Ещё</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Mounted</source>
         <translation>Установлено</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Move</source>
         <translation>Переместить</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Движется</translation>
     </message>
@@ -2564,7 +2564,7 @@
         <translation>Многоканальность</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>NC</source>
         <translation>ЧПУ</translation>
     </message>
@@ -2574,117 +2574,117 @@
         <translation>Имя</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Name of the dimension</source>
         <translation>Название размера</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Network</source>
         <translation>Сеть</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Network address</source>
         <translation>Сетевой адрес</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>New dimension</source>
         <translation>Новый размер</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>New edge</source>
         <translation>Новая кромка</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>New folder</source>
         <translation>Новая папка</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>New insert</source>
         <translation>Новая пластина</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>New name</source>
         <translation>Новое имя</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>New program</source>
         <translation>Новая программа</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>New tool</source>
         <translation>Новый инструмент</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>New user</source>
         <translation>Новый</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>Next difference</source>
         <translation>Следующее различие</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Следующая ошибка</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Next page</source>
         <translation>Следующая страница</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Next part</source>
         <translation>Следующая часть</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Next solution</source>
         <translation>Другое решение</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>No active alarms.</source>
         <translation>Активных аварий нет.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>No alarm and no message is known yet.</source>
         <translation>Аварий и сообщений пока не было.</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>No block is entered</source>
         <translation>Кадр не введён</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>No changes recorded.</source>
         <translation>Записанных изменений нет.</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>No channel has stood in this time.</source>
         <translation>За это время ни один канал не стоял.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>No circle has been driven since the record began: drive at least three quarters of one in L%1</source>
         <translation>С начала записи круга не было: проедьте хотя бы три четверти круга в L%1</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>No compensation table is described (N2500 to N2808).</source>
         <translation>Таблицы компенсации не описаны (N2500 - N2808).</translation>
     </message>
@@ -2694,167 +2694,167 @@
         <translation>Нет связи с УЧПУ</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>No faults found</source>
         <translation>Ошибок нет</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>No forecast yet: it begins when parts have been made with tools whose life is monitored.</source>
         <translation>Прогноза ещё нет: он начнётся, когда детали будут сделаны инструментом с учётом ресурса.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
         <translation>Ни одно задание не называет заготовку программы</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>No network connection is managed here</source>
         <translation>Здесь нет управляемого сетевого подключения</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Нет параметра с таким номером, именем или описанием.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>No part transfer is set up on this machine: its channels choose no counter spindle.</source>
         <translation>Передача детали на этом станке не настроена: его каналы не выбирают противошпиндель.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>No pictures (PGM, BMP, PNG) in this folder.</source>
         <translation>В этой папке нет снимков (PGM, BMP, PNG).</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>No program is selected.</source>
         <translation>Программа не выбрана.</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Нет сигнала с таким именем или описанием.</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>No start</source>
         <translation>Нет пуска</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>No tool is chosen.</source>
         <translation>Инструмент не выбран.</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>No tool is like this.</source>
         <translation>Таких инструментов нет.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_plot.cpp"/>
+        <location filename="../screens/machine/scope_plot.cpp"/>
         <source>No trace is chosen: Enter on a line, or touch it twice</source>
         <translation>Сигнал не выбран: Enter на строке или двойное касание</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>No variable has this in its name.</source>
         <translation>Нет переменной с таким именем.</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>No variable of this channel has a value.</source>
         <translation>Ни у одной переменной канала нет значения.</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>№</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Nobody is logged in. Without a login: %1</source>
         <translation>Никто не вошёл. Без входа: %1</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Nominal</source>
         <translation>Номинал</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Неизвестно.</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Not described: enter its parameters.</source>
         <translation>Не описана: введите её параметры.</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Not done: %1</source>
         <translation>Не сделано: %1</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Not enabled</source>
         <translation>Не разрешён</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Not in position</source>
         <translation>Не в позиции</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Not in use by the running program</source>
         <translation>Программой не используется</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Not loaded</source>
         <translation>Не загружены</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/programs/editor_files.cpp"/>
         <source>Not saved: stopped. The file is as it was.</source>
         <translation>Не сохранено: остановлено. Файл остался прежним.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Nothing has been changed.</source>
         <translation>Ничего не изменено.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Nothing is like this. Escape shows all.</source>
         <translation>Такого здесь нет. Escape показывает всё.</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Nothing is missing for a start</source>
         <translation>Для пуска всё готово</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Nothing to load: every tool has a place</source>
         <translation>Загружать нечего: у каждого инструмента есть место</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Nothing to simulate: %1</source>
         <translation>Нечего моделировать: %1</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Nothing would change</source>
         <translation>Ничего не изменится</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Now</source>
         <translation>Сейчас</translation>
     </message>
@@ -2869,12 +2869,12 @@
         <translation>Число отверстий</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Number of its first block</source>
         <translation>Номер первого кадра</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Number of its last block</source>
         <translation>Номер последнего кадра</translation>
     </message>
@@ -2889,167 +2889,167 @@
         <translation>Число заходов</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>OK</source>
         <translation>ОК</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Offset</source>
         <translation>Корректор</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Offset number</source>
         <translation>Номер корректора</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Offset number of the radius</source>
         <translation>Номер корректора радиуса</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Корректоры</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>One ring</source>
         <translation>Цена кольца</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>Only L%1</source>
         <translation>Только L%1</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Only a maker can confirm: log in on the page «Users».</source>
         <translation>Признать может только изготовитель: войдите на странице «Пользователи».</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Only a whole number is possible.</source>
         <translation>Возможно только целое число.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Only more than 0 is possible here.</source>
         <translation>Здесь возможно только больше 0.</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Open folder</source>
         <translation>Открыть папку</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Open: %1 more data are needed, here or in the next elements.</source>
         <translation>Открыто: нужно ещё данных: %1, здесь или в следующих элементах.</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Open: what lies before it is not known yet.</source>
         <translation>Открыто: то, что перед ним, ещё не известно.</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Operation time</source>
         <translation>Время работы</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Optional stop</source>
         <translation>Останов M1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Optional stop %1</source>
         <translation>Останов M1 %1</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Optional stop M1: start goes on</source>
         <translation>Останов M1: пуск продолжит</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Order among sisters</source>
         <translation>Порядок среди дублёров</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Other</source>
         <translation>Прочее</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Other edges than the job's hold: %1</source>
         <translation>Действуют не те кромки, что в задании: %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Other feeds than programmed: press again</source>
         <translation>Подачи не из программы: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Other files may name it: press again</source>
         <translation>На него могут ссылаться: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Other level</source>
         <translation>Другой уровень</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Other offsets than the job's hold: %1</source>
         <translation>Действуют не те корректоры, что в задании: %1</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Other zeros than the job's hold: %1</source>
         <translation>Действуют не те нули, что в задании: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Outline that protection guards: X -60:0 Z -20:5</source>
         <translation>Контур для защиты: X -60:0 Z -20:5</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Overrides</source>
         <translation>Процентовка</translation>
     </message>
     <message>
-        <location filename="../screens/overview.hpp"/>
+        <location filename="../screens/overview/overview.hpp"/>
         <source>Overview</source>
         <translation>Обзор</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Own folder</source>
         <translation>Домашняя папка</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Own magazine</source>
         <translation>Свой магазин</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Своё место</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>PID</source>
         <translation>PID</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>PLC</source>
         <translation>ПЛК</translation>
     </message>
@@ -3059,17 +3059,17 @@
         <translation>Константы ПЛК</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>Page down</source>
         <translation>Страница вниз</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>Page up</source>
         <translation>Страница вверх</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Pallet</source>
         <translation>Паллета</translation>
     </message>
@@ -3079,97 +3079,97 @@
         <translation>Паллеты</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Pallet number, 0: no pallet</source>
         <translation>Номер паллеты, 0: нет паллеты</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Pallets</source>
         <translation>Паллеты</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Panel computer</source>
         <translation>Компьютер</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Параметры</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Part before</source>
         <translation>Предыдущая часть</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Part time</source>
         <translation>Время детали</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Part transfer, step by step</source>
         <translation>Передача детали по шагам</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Parts</source>
         <translation>Детали</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Parts go on: press again</source>
         <translation>Детали дальше: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
         <translation>Деталей всего</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Parts left</source>
         <translation>Ещё деталей</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Parts of this job</source>
         <translation>Деталей задания</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Parts since the start</source>
         <translation>Деталей с запуска</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Parts wanted</source>
         <translation>Нужно деталей</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Password</source>
         <translation>Пароль</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Path backwards %1</source>
         <translation>Назад по траектории %1</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Paths since these screens started; tips drawn as points</source>
         <translation>Траектории с запуска экрана; вершины резцов — точки</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Pattern menu</source>
         <translation>Меню шаблонов</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Pause</source>
         <translation>Пауза</translation>
     </message>
@@ -3179,17 +3179,17 @@
         <translation>Сверление с выводом, канавки вдоль Z</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Per division</source>
         <translation>Деление</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>Period</source>
         <translation>Период</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Снимок</translation>
     </message>
@@ -3199,7 +3199,7 @@
         <translation>Погрешности шага</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
     </message>
@@ -3219,7 +3219,7 @@
         <translation>Место отверстия Z</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Places</source>
         <translation>Папки и носители</translation>
     </message>
@@ -3234,27 +3234,27 @@
         <translation>Места отверстий по окружности</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>S без номера = противошпиндель</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>S без номера = главный шпиндель</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
         <translation>S без номера в L%1 сейчас означает S%2: M%3 подействует на его патрон.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Play</source>
         <translation>Показать</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Points</source>
         <translation>Точек</translation>
     </message>
@@ -3264,12 +3264,12 @@
         <translation>Polyturn</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Накопитель %1</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Position</source>
         <translation>Положение</translation>
     </message>
@@ -3279,67 +3279,67 @@
         <translation>Позиц. выключатели</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Power on</source>
         <translation>Включено</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Presetter</source>
         <translation>Прибор настройки</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>Previous difference</source>
         <translation>Предыдущее различие</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Print setup sheet</source>
         <translation>Печать карты наладки</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Printed: %1</source>
         <translation>Напечатано: %1</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Probe is offset %1: press again</source>
         <translation>Щуп: корректор %1, ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Процесс</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Process dead</source>
         <translation>Процесс не работает</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Processes</source>
         <translation>Процессы</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Processes and ticks</source>
         <translation>Процессы и такты</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Program</source>
         <translation>Программа</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Program control</source>
         <translation>Управление программой</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Program of the pallet</source>
         <translation>Программа паллеты</translation>
     </message>
@@ -3349,52 +3349,52 @@
         <translation>Программа с контуром</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Programmed stop</source>
         <translation>Останов в программе</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Programmed stop M0: start goes on</source>
         <translation>Останов M0: пуск продолжит</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Programs</source>
         <translation>Программы</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Programs and jobs</source>
         <translation>Программы и задания</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Proposal</source>
         <translation>Коррекция</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Proposal: %1</source>
         <translation>Коррекция: %1</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Protect</source>
         <translation>Защитить</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Protected</source>
         <translation>Защищено</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Put it here</source>
         <translation>Поставить сюда</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Radius</source>
         <translation>Радиус</translation>
     </message>
@@ -3409,32 +3409,32 @@
         <translation>Радиус окружности отверстий</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Заданный радиус</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Range</source>
         <translation>Диапазон</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Range %1 of L%2</source>
         <translation>Зона %1 L%2</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Rapid</source>
         <translation>Ускор. ход</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Rapid %1 %</source>
         <translation>Ускор. %1 %</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Ready</source>
         <translation>Готов</translation>
     </message>
@@ -3449,22 +3449,22 @@
         <translation>Развёртывание после каждого кадра с движением</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Record</source>
         <translation>Запись</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Records</source>
         <translation>Идёт запись</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Redo</source>
         <translation>Повторить</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Реф. точка</translation>
     </message>
@@ -3474,7 +3474,7 @@
         <translation>Референтная точка</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Reference all</source>
         <translation>Все оси: в реф. точку</translation>
     </message>
@@ -3484,27 +3484,27 @@
         <translation>Базовая плоскость: поверхность</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>Refresh</source>
         <translation>Обновить</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Relative input</source>
         <translation>Ввод относит.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Relative zero</source>
         <translation>Относит. нуль</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Release place</source>
         <translation>Разблокировать место</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Release tool</source>
         <translation>Разблокировать инструмент</translation>
     </message>
@@ -3514,22 +3514,22 @@
         <translation>Отвод на дне</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Remaining</source>
         <translation>Осталось</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Remedy</source>
         <translation>Что делать</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Rename</source>
         <translation>Переименовать</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Renamed</source>
         <translation>Переименовано</translation>
     </message>
@@ -3544,77 +3544,77 @@
         <translation>Повторение контура</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Repeats in a second</source>
         <translation>Повторов в секунду</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Replaces the one that is here: press again</source>
         <translation>Заменит здешний: нажмите ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Replaces what is entered: press again</source>
         <translation>Заменит введённое: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Required tools</source>
         <translation>Нужные инструменты</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Reset</source>
         <translation>Сброс</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Reset %1</source>
         <translation>Сброс %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Reset all</source>
         <translation>Сброс всех</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Reset group %1</source>
         <translation>Сброс группы %1</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Restart</source>
         <translation>Перезапуск</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Restart at</source>
         <translation>Начать с</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Restart in the middle</source>
         <translation>Пуск с кадра</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Restart: start makes the approach</source>
         <translation>Возобновление: пуск выполнит подвод</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Restore</source>
         <translation>Восстановить</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Restored values and files: %1</source>
         <translation>Восстановлено значений и файлов: %1</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Retrace has come to its end</source>
         <translation>Возврат по траектории дошёл до конца</translation>
     </message>
@@ -3629,7 +3629,7 @@
         <translation>Плоскость отвода</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Return %1</source>
         <translation>Возврат %1</translation>
     </message>
@@ -3664,22 +3664,22 @@
         <translation>Жёсткое нарезание левой резьбы</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Room above, half places</source>
         <translation>Место сверху, полуместа</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Room below, half places</source>
         <translation>Место снизу, полуместа</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Room to the left, half places</source>
         <translation>Место слева, полуместа</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Room to the right, half places</source>
         <translation>Место справа, полуместа</translation>
     </message>
@@ -3694,7 +3694,7 @@
         <translation>Черновая обработка вдоль Z</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Rounding to the next one</source>
         <translation>Скругление к следующему</translation>
     </message>
@@ -3714,7 +3714,7 @@
         <translation>Сбег; -1: как тормозит ось</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Работает</translation>
     </message>
@@ -3739,27 +3739,27 @@
         <translation>Безопасное расстояние отвода</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>Save</source>
         <translation>Сохранить</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Save now</source>
         <translation>Сохранить</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Saved: %1</source>
         <translation>Сохранено: %1</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Saves the text first: press again</source>
         <translation>Сначала сохранит текст: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Scope</source>
         <translation>Осциллограф</translation>
     </message>
@@ -3769,127 +3769,127 @@
         <translation>Поиск</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Search: a zero</source>
         <translation>Поиск: нуль детали</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Search: number or tool</source>
         <translation>Поиск: номер или инструмент</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Поиск: номер, имя или описание</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Search: number, tool, edge</source>
         <translation>Поиск: номер, инструмент, кромка</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Second WINS server</source>
         <translation>Второй WINS</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Second name server</source>
         <translation>Второй DNS</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Select in L%1</source>
         <translation>Выбрать в L%1</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Select job</source>
         <translation>Выбрать задание</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Sets the default: press again</source>
         <translation>Задаст исходное: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Задаст нуль: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>Setting</source>
         <translation>Настройка</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Several solutions: touch the one that is meant, or «Next solution».</source>
         <translation>Несколько решений: коснитесь нужного или «Другое решение».</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Shorter</source>
         <translation>Окно меньше</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Signal</source>
         <translation>Сигнал</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Signals</source>
         <translation>Сигналы</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Signals of NC and PLC</source>
         <translation>Сигналы ЧПУ и ПЛК</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Simulation</source>
         <translation>Моделирование</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Simulation, timeline</source>
         <translation>Моделирование, шкала</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Simulation: %1 of %2</source>
         <translation>Моделирование: %1 из %2</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>Начало</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Single block</source>
         <translation>Покадрово</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Single block %1</source>
         <translation>Покадрово %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Single block all</source>
         <translation>Покадрово: все</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Single block group %1</source>
         <translation>Покадрово: группа %1</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Single block: start does the next one</source>
         <translation>Покадрово: пуск выполнит следующий кадр</translation>
     </message>
@@ -3899,12 +3899,12 @@
         <translation>Sinumerik</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Sister</source>
         <translation>Дублёр</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Size</source>
         <translation>Размер</translation>
     </message>
@@ -3914,12 +3914,12 @@
         <translation>Функция пропуска</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Slower</source>
         <translation>Медленнее</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Smaller</source>
         <translation>Мельче</translation>
     </message>
@@ -3929,27 +3929,27 @@
         <translation>Сглаживание</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>So much left is a warning</source>
         <translation>Предупредить при остатке</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Solid outline: monitored; dashed: drawn only</source>
         <translation>Сплошной контур — под защитой, штриховой — только показ</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Some elements are still open.</source>
         <translation>Некоторые элементы ещё открыты.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Часть тактов пропущена</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Speed not reached</source>
         <translation>Обороты не набраны</translation>
     </message>
@@ -3959,17 +3959,17 @@
         <translation>Частота вращения шпинделя</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Speed reached</source>
         <translation>Обороты набраны</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Spindle</source>
         <translation>Шпиндель</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Spindle %1</source>
         <translation>Шпиндель %1</translation>
     </message>
@@ -3984,42 +3984,42 @@
         <translation>Приводы шпинделей</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>Spindle stop</source>
         <translation>Стоп шпинделя</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Stands</source>
         <translation>Стоит</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Start</source>
         <translation>Начало</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Start %1</source>
         <translation>Пуск %1</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Start all</source>
         <translation>Пуск всех</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Start goes back along the path: press again</source>
         <translation>Пуск поведёт по пути назад: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Start goes backwards</source>
         <translation>Пуск ведёт назад</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Start group %1</source>
         <translation>Пуск группы %1</translation>
     </message>
@@ -4034,37 +4034,37 @@
         <translation>Начало прямой, 2-я ось (X: радиус)</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Start point X</source>
         <translation>Начальная точка X</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Start point Z</source>
         <translation>Начальная точка Z</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Starts</source>
         <translation>Запускается</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Пуск всех каналов: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/operation_keys.cpp"/>
+        <location filename="../screens/overview/operation_keys.cpp"/>
         <source>Starts the whole group: press again</source>
         <translation>Пуск всей группы: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>State</source>
         <translation>Состояние</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Station</source>
         <translation>Станция</translation>
     </message>
@@ -4084,7 +4084,7 @@
         <translation>Шаг между врезаниями</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Заготовка</translation>
     </message>
@@ -4104,27 +4104,27 @@
         <translation>Снимаемый припуск по Z</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Stop</source>
         <translation>Стоп</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Stop record</source>
         <translation>Стоп записи</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Stopped</source>
         <translation>Остановлен</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>Stopped at</source>
         <translation>Останов на</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>Stopped: %1</source>
         <translation>Остановлено: %1</translation>
     </message>
@@ -4134,7 +4134,7 @@
         <translation>Прямолинейность</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Subnet mask</source>
         <translation>Маска подсети</translation>
     </message>
@@ -4144,22 +4144,22 @@
         <translation>Поверхность Z</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Switched off</source>
         <translation>Выключена</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Switches the drives on: press again</source>
         <translation>Включит приводы: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Синхронный вид</translation>
     </message>
     <message>
-        <location filename="../screens/system.hpp"/>
+        <location filename="../screens/machine/system.hpp"/>
         <source>System</source>
         <translation>Система</translation>
     </message>
@@ -4169,32 +4169,32 @@
         <translation>Система</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Table</source>
         <translation>Таблица</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Tailstock %1</source>
         <translation>Задняя бабка %1</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Tailstock zone of L%1</source>
         <translation>Зона задней бабки L%1</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Take a measured file</source>
         <translation>Взять файл измерений</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Tangential to the one before (1: yes)</source>
         <translation>Касательно к предыдущему (1: да)</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Tangential to what? Nothing lies before it.</source>
         <translation>Касательно к чему? Перед ним ничего нет.</translation>
     </message>
@@ -4239,87 +4239,87 @@
         <translation>Нарезание сбоку с компенсирующим патроном</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Text</source>
         <translation>Текст</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>The NC writes it.</source>
         <translation>Его задаёт ЧПУ.</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>The PLC writes it.</source>
         <translation>Его задаёт ПЛК.</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Оси свободны: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>The axes go back: press again</source>
         <translation>Оси поедут назад: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>The axes move again: press again</source>
         <translation>Оси снова пойдут: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>The axes stand while the program runs: press again</source>
         <translation>Программа идёт, оси стоят: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>The blocks are searched: nothing moves</source>
         <translation>Идёт поиск кадров: ничего не движется</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Контур определён полностью.</translation>
     </message>
     <message>
-        <location filename="../machine/requests.cpp"/>
+        <location filename="../machine/live/requests.cpp"/>
         <source>The controller gave no answer.</source>
         <translation>УЧПУ не ответило.</translation>
     </message>
     <message>
-        <location filename="../machine/requests.cpp"/>
+        <location filename="../machine/live/requests.cpp"/>
         <source>The controller refused.</source>
         <translation>УЧПУ отказало.</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>The copy of %1 was not what had been sent; what was there before stands</source>
         <translation>Копия %1 не совпала с отправленным; прежний файл остался</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Отключить синхронизацию</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>The file is being read ...</source>
         <translation>Файл читается ...</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>The folder is being read ...</source>
         <translation>Папка читается ...</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The job is being simulated</source>
         <translation>Идёт моделирование задания</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>The job is for another machine: %1</source>
         <translation>Задание для другого станка: %1</translation>
     </message>
@@ -4329,32 +4329,32 @@
         <translation>Клавиши внизу действуют, если их удерживать.</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>The last %1 days</source>
         <translation>Последние %1 дней</translation>
     </message>
     <message>
-        <location filename="../screens/stops_page.cpp"/>
+        <location filename="../screens/machine/stops_page.cpp"/>
         <source>The last %1 h</source>
         <translation>Последние %1 ч</translation>
     </message>
     <message>
-        <location filename="../screens/editor_files.cpp"/>
+        <location filename="../screens/programs/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Предыдущая программа ещё записывается.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>The machine has lost data: no program starts</source>
         <translation>Станок потерял данные: программы не пускаются</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>Зажать патрон гл. шпинделя</translation>
     </message>
     <message>
-        <location filename="../machine/transfer_steps.cpp"/>
+        <location filename="../machine/programs/transfer_steps.cpp"/>
         <source>The main chuck opens</source>
         <translation>Разжать патрон гл. шпинделя</translation>
     </message>
@@ -4364,47 +4364,47 @@
         <translation>Руководство здесь не установлено.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>The newest backup: %1</source>
         <translation>Самая новая копия: %1</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>The offset is written</source>
         <translation>Корректор записан</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.</source>
         <translation>Эти значения хранит операционная система, она же решает, кто их меняет; Enter или второе касание меняет значение.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>Паллета меняется вместе с программой. «Поменять»: выберите строку, нажмите, выберите другую, нажмите ещё раз.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>The pallets are being asked for ...</source>
         <translation>Запрашиваются паллеты ...</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The printer refused it: %1</source>
         <translation>Принтер отказал: %1</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>The program asks: answer on its page</source>
         <translation>Программа спрашивает: ответьте на её странице</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>The program cannot be checked here.</source>
         <translation>Программу здесь не проверить.</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>The program is being read</source>
         <translation>Программа читается</translation>
     </message>
@@ -4414,112 +4414,112 @@
         <translation>Программа L%1 ждёт ответа</translation>
     </message>
     <message>
-        <location filename="../machine/dry_run.cpp"/>
+        <location filename="../machine/programs/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>Программы polyturn нет рядом с HMI.</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>The program runs</source>
         <translation>Программа выполняется</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>The program was broken off</source>
         <translation>Программа прервана</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>The programs are being compared ...</source>
         <translation>Программы сравниваются ...</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>Программы читаются</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Относительный счётчик L%1 начинается здесь</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
+        <location filename="../screens/overview/restart_page.cpp"/>
         <source>The restart was refused, nothing has moved: see the alarms</source>
         <translation>Пуск с кадра отклонён, ничего не сдвинулось: см. аварии</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>The scope records other signals: «Axes of L%1» chooses the axes of a circle</source>
         <translation>Осциллограф пишет другие сигналы: «Оси L%1» выбирает оси окружности</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>Карта наладки не записана: остановлено.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>The simulation is being computed: %1 so far</source>
         <translation>Моделирование вычисляется: пока %1</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>The spindle turns: press again</source>
         <translation>Шпиндель начнёт вращаться: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>The turret turns: press again</source>
         <translation>Револьвер повернётся: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The zeros of %1 are entered</source>
         <translation>Нули задания %1 введены</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>The zeros stand as before</source>
         <translation>Нули снова прежние</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Then</source>
         <translation>Станет</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>There are no dimensions yet: «New dimension».</source>
         <translation>Размеров ещё нет: «Новый размер».</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>There are no tools yet: «New tool» on the page of tool data.</source>
         <translation>Инструментов ещё нет: «Новый инструмент» на странице данных.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>There are no users: everybody may do everything. The first one must be a maker.</source>
         <translation>Пользователей нет: всем можно всё. Первым должен быть изготовитель.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>There is no backup beside the store: choose one from a stick or the network.</source>
         <translation>Рядом с хранилищем копии нет: выберите её на флешке или в сети.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>There is no backup in this folder.</source>
         <translation>В этой папке нет копий.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>There is no block N%1 in this program yet.</source>
         <translation>Кадра N%1 в этой программе ещё нет.</translation>
     </message>
     <message>
-        <location filename="../machine/requests.cpp"/>
+        <location filename="../machine/live/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Нет соединения с УЧПУ.</translation>
     </message>
@@ -4529,87 +4529,87 @@
         <translation>Здесь нет текстового поля</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>There is no time zone %1</source>
         <translation>Нет часового пояса %1</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>They are the same</source>
         <translation>Они одинаковы</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
+        <location filename="../screens/programs/compare_page.cpp"/>
         <source>They are very different</source>
         <translation>Они совсем разные</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>This channel has no offsets.</source>
         <translation>У этого канала нет корректоров.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>This channel has no tools: enter them on the page of tools.</source>
         <translation>У этого канала нет инструментов: введите их на странице инструментов.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>У канала нет револьвера.</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>This computer has no %1</source>
         <translation>На этом компьютере нет %1</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>This computer runs without systemd</source>
         <translation>Этот компьютер работает без systemd</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>This folder cannot be read.</source>
         <translation>Эта папка не читается.</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>This folder is empty.</source>
         <translation>Папка пуста.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>This is here</source>
         <translation>Здесь это</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>This is no number.</source>
         <translation>Это не число.</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>This language has no cycles.</source>
         <translation>В этом языке нет циклов.</translation>
     </message>
     <message>
-        <location filename="../widgets/magazine.cpp"/>
+        <location filename="../widgets/pictures/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>У этого станка нет магазина: его описывают PT_TURRET_MAGAZINE и N2905 до N2922.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>This machine has no pallets (N3300).</source>
         <translation>У этого станка нет паллет (N3300).</translation>
     </message>
     <message>
-        <location filename="../screens/settings_page.cpp"/>
+        <location filename="../screens/machine/settings_page.cpp"/>
         <source>This needs the level of a setter: log in</source>
         <translation>Нужен уровень наладчика: войдите</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>This system knows no WINS: names come from the name servers</source>
         <translation>WINS не поддерживается, имена определяет DNS</translation>
     </message>
@@ -4664,42 +4664,42 @@
         <translation>Объёмная коррекция</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>Time</source>
         <translation>Время</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Time before a key repeats</source>
         <translation>Задержка повтора</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Time from the network</source>
         <translation>Время из сети</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Time left</source>
         <translation>Ещё времени</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Time zone</source>
         <translation>Часовой пояс</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Timeline</source>
         <translation>Временная шкала</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Timers and counters</source>
         <translation>Таймеры и счётчики</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Timers, counters</source>
         <translation>Таймеры</translation>
     </message>
@@ -4709,62 +4709,62 @@
         <translation>Таймеры и счётчики</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Tip</source>
         <translation>Вершина</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Tip is at this measure: press again</source>
         <translation>Вершина на размере: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>To be replaced</source>
         <translation>К замене</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>To go</source>
         <translation>Остаток</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>To load: choose a tool without a place in the list</source>
         <translation>Для загрузки выберите в списке инструмент без места</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>To the backups</source>
         <translation>К резервным копиям</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>To the offsets</source>
         <translation>К корректорам</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>To the start: 0 not, 1 feed, 2 rapid</source>
         <translation>К началу: 0 нет, 1 подача, 2 ускор.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Too large: at most %1.</source>
         <translation>Слишком много: не больше %1.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Too small: at least %1.</source>
         <translation>Слишком мало: не меньше %1.</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Tool</source>
         <translation>Инструмент</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Tool %1 is new: enter what it is</source>
         <translation>Инструмент %1 новый: введите данные</translation>
     </message>
@@ -4784,62 +4784,62 @@
         <translation>Учёт инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>Tool data</source>
         <translation>Данные</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Tool edges</source>
         <translation>Кромки</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Tool life (0: not monitored)</source>
         <translation>Ресурс (0: без учёта)</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Tool number</source>
         <translation>Номер инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Tool offsets</source>
         <translation>Корректоры</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Tool setter</source>
         <translation>Щуп инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Tool unit, 0 all</source>
         <translation>Инструментальный узел, 0 все</translation>
     </message>
     <message>
-        <location filename="../screens/tools.hpp"/>
+        <location filename="../screens/tools/tools.hpp"/>
         <source>Tools</source>
         <translation>Инструменты</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Torque</source>
         <translation>Момент</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Touch again or Enter: enlarged</source>
         <translation>Ещё касание или Enter: крупно</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Touch the bit again: it is turned over</source>
         <translation>Коснитесь бита ещё раз: он переключится</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Touch, or Enter: a text</source>
         <translation>Касание или Enter: текст</translation>
     </message>
@@ -4849,32 +4849,32 @@
         <translation>Касания и клавиши не действуют. Разблокируется само через %1 с, при аварии — сразу.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Trace off</source>
         <translation>Сигнал выкл</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Travel of L%1</source>
         <translation>Ход L%1</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Trigger downwards</source>
         <translation>Запуск по спаду</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Trigger level</source>
         <translation>Уровень запуска</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Trigger upwards</source>
         <translation>Запуск по росту</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Triggered</source>
         <translation>Сработал</translation>
     </message>
@@ -4899,62 +4899,62 @@
         <translation>Точение, один проход</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>Turret L%1</source>
         <translation>Револьвер L%1</translation>
     </message>
     <message>
-        <location filename="../machine/edge_words.cpp"/>
+        <location filename="../machine/tools/edge_words.cpp"/>
         <source>Type</source>
         <translation>Тип</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Type a number or touch it, then Input.</source>
         <translation>Наберите число или коснитесь его, затем «Ввод».</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Type a part of the name</source>
         <translation>Введите часть имени</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Type number: the T that calls it</source>
         <translation>Номер типа (T для вызова)</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Type, then Enter.</source>
         <translation>Наберите, затем Enter.</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>USB</source>
         <translation>USB</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
         <translation>USB и сетевые папки появляются, когда они подключены. «Запомнить папку» добавляет показанную папку; папки цеха записаны в /etc/polyturn/places: ИМЯ=/ПАПКА.</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Undo</source>
         <translation>Отменить</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Undo the zeros</source>
         <translation>Вернуть нули</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>Unit</source>
         <translation>Единица</translation>
     </message>
     <message>
-        <location filename="../screens/tools_requests.cpp"/>
+        <location filename="../screens/tools/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Извлечь</translation>
     </message>
@@ -4964,32 +4964,32 @@
         <translation>Разблокировать</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/programs/programs.cpp"/>
         <source>Unsaved text goes: press again</source>
         <translation>Несохранённое пропадёт: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Up</source>
         <translation>Вверх</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Upper</source>
         <translation>Верхн.</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Used up</source>
         <translation>Израсходовано</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>User</source>
         <translation>Пользователь</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Users</source>
         <translation>Пользователи</translation>
     </message>
@@ -5004,7 +5004,7 @@
         <translation>Значение</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Values and files that would change: %1</source>
         <translation>Изменится значений и файлов: %1</translation>
     </message>
@@ -5014,52 +5014,52 @@
         <translation>Переменная</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../screens/machine/diagnosis.cpp"/>
         <source>Variables</source>
         <translation>Переменные</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Waiting</source>
         <translation>Ожидание</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/overview/overview.cpp"/>
         <source>Waiting for the controller</source>
         <translation>Ожидание УЧПУ</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Waits</source>
         <translation>Ждёт</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Waits at %1 for %2, %3 so far</source>
         <translation>Ждёт канал %2 на %1, %3</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Waits at %1, all are there</source>
         <translation>Ждёт на %1, все на месте</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Waits for a channel</source>
         <translation>Ждёт канал</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Ждёт запуска</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>Waits ignored</source>
         <translation>Ожидания не действуют</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Wanted</source>
         <translation>Нужно</translation>
     </message>
@@ -5074,127 +5074,127 @@
         <translation>Отвод или зазор шага</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Wear</source>
         <translation>Износ</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>Wear %1: press again</source>
         <translation>Износ %1: ещё раз</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Wear R</source>
         <translation>Износ R</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Weight</source>
         <translation>Масса</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Что</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>What is lost stays lost: press again</source>
         <translation>Потерянного не вернуть: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>What it does</source>
         <translation>Что делает</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
         <translation>Что было раньше, смотрите в «Журнале»; почему станок стоял — в «Журнале остановов».</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>What would change</source>
         <translation>Что изменится</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>Wheel, tool, transfer</source>
         <translation>Маховичок, инструмент</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>When</source>
         <translation>Когда</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Who</source>
         <translation>Кто</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Who has changed this value</source>
         <translation>Кто менял это значение</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>Whole machine</source>
         <translation>Весь станок</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>Window %1 s</source>
         <translation>Окно %1 с</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Without a display server the keyboard itself decides</source>
         <translation>Без сервера дисплея решает сама клавиатура</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Without a probe offset: press again</source>
         <translation>Без корректора щупа: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Не действует:</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Without tool management (N2900) programs bring their own tools and edges.</source>
         <translation>Без управления инструментами (N2900) инструменты и кромки задаёт сама программа.</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>Word</source>
         <translation>Слово</translation>
     </message>
     <message>
-        <location filename="../machine/stop_book.cpp"/>
+        <location filename="../machine/live/stop_log.cpp"/>
         <source>Work by hand</source>
         <translation>Работа вручную</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>Work moved from L%1 to L%2 saves up to %3 s.</source>
         <translation>Работа, перенесённая из L%1 в L%2, сэкономит до %3 с.</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Сдвиг</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Work zeros</source>
         <translation>Нули детали</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>Working area</source>
         <translation>Рабочая зона</translation>
     </message>
@@ -5204,72 +5204,72 @@
         <translation>Деталь</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Workpiece setter</source>
         <translation>Щуп детали</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Works</source>
         <translation>Работает</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>Worn</source>
         <translation>Изношен</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Would be entered</source>
         <translation>Будет введено</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../screens/programs/contour_page.cpp"/>
         <source>Write into the program</source>
         <translation>Записать в программу</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Writes the offset: press again</source>
         <translation>Запишет корректор: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>Written</source>
         <translation>Записано</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>Written as %1</source>
         <translation>Пишется так: %1</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>X of its end, radius</source>
         <translation>X торца калибра (радиус)</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Z of its end</source>
         <translation>Z торца калибра</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Zero</source>
         <translation>Нуль</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools/offsets.cpp"/>
         <source>Zero here</source>
         <translation>Нуль здесь</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Zeros</source>
         <translation>Нули</translation>
     </message>
     <message>
-        <location filename="../machine/channel_words.cpp"/>
+        <location filename="../machine/live/channel_words.cpp"/>
         <source>a marker</source>
         <translation>метки</translation>
     </message>
@@ -5279,14 +5279,9 @@
         <translation>программа прервана</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>all parameters</source>
         <translation>все параметры</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>an alarm has stopped everything</source>
-        <translation>авария всё остановила</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5299,17 +5294,17 @@
         <translation>ось перемещают вручную</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>angle</source>
         <translation>угол</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>another tool: %1</source>
         <translation>другой инструмент: %1</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>arm S%1</source>
         <translation>манипулятор S%1</translation>
     </message>
@@ -5317,11 +5312,6 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>подключите её (AP_DETCHR)</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>axes are on their way to their reference points</source>
-        <translation>оси идут в реф. точки</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5344,7 +5334,7 @@
         <translation>кадров</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>bore</source>
         <translation>отверстие</translation>
     </message>
@@ -5359,7 +5349,7 @@
         <translation>доведите её до конца</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>button tool</source>
         <translation>круглый резец</translation>
     </message>
@@ -5379,12 +5369,12 @@
         <translation>выберите автомат или РВД</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>chuck holds</source>
         <translation>патрон зажат</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/overview/hand_page.cpp"/>
         <source>chuck open</source>
         <translation>патрон разжат</translation>
     </message>
@@ -5409,17 +5399,17 @@
         <translation>столбцов</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>commanded</source>
         <translation>заданное</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>commanded speed</source>
         <translation>заданные обороты</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>compensation</source>
         <translation>компенсация</translation>
     </message>
@@ -5469,17 +5459,17 @@
         <translation>отключена</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>deviation</source>
         <translation>отклонение</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>drill</source>
         <translation>сверло</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/tools/tools.cpp"/>
         <source>empty</source>
         <translation>пусто</translation>
     </message>
@@ -5489,12 +5479,12 @@
         <translation>введите его или выберите автомат</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>entered</source>
         <translation>введено</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>entered: %1</source>
         <translation>введено: %1</translation>
     </message>
@@ -5504,17 +5494,17 @@
         <translation>всё остановлено аварией</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../screens/programs/cycle_form_page.cpp"/>
         <source>feed</source>
         <translation>подача</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>file</source>
         <translation>файл</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>files: %1</source>
         <translation>файлов: %1</translation>
     </message>
@@ -5524,22 +5514,22 @@
         <translation>долейте масло</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>finishing tool</source>
         <translation>чистовой резец</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>following error</source>
         <translation>рассогласование</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>follows S%1</source>
         <translation>следует за S%1</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>follows it synchronously</source>
         <translation>следует за ней синхронно</translation>
     </message>
@@ -5549,17 +5539,17 @@
         <translation>фут/мин</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>good</source>
         <translation>годен</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>grinding wheel</source>
         <translation>шлифовальный круг</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>grooving tool</source>
         <translation>канавочный резец</translation>
     </message>
@@ -5569,7 +5559,7 @@
         <translation>ч</translation>
     </message>
     <message>
-        <location filename="../screens/graphics_picture.cpp"/>
+        <location filename="../screens/graphics/graphics_picture.cpp"/>
         <source>held by protection</source>
         <translation>удержано защитой</translation>
     </message>
@@ -5579,12 +5569,12 @@
         <translation>дюйм</translation>
     </message>
     <message>
-        <location filename="../machine/lengths.cpp"/>
+        <location filename="../machine/live/lengths.cpp"/>
         <source>inch, diameter</source>
         <translation>дюйм, диаметр</translation>
     </message>
     <message>
-        <location filename="../machine/lengths.cpp"/>
+        <location filename="../machine/live/lengths.cpp"/>
         <source>inch, radius</source>
         <translation>дюйм, радиус</translation>
     </message>
@@ -5604,7 +5594,7 @@
         <translation>дюйм/с²</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>input %1</source>
         <translation>вход %1</translation>
     </message>
@@ -5614,27 +5604,27 @@
         <translation>№ входа</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>it is not there</source>
         <translation>её нет</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>its travel is added to the axis' own</source>
         <translation>её путь добавляется к своему</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>kB</source>
         <translation>кБ</translation>
     </message>
     <message>
-        <location filename="../machine/alarm_book.cpp"/>
+        <location filename="../machine/live/alarm_log.cpp"/>
         <source>line</source>
         <translation>строка</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/programs/editor_page.cpp"/>
         <source>line %1, column %2</source>
         <translation>строка %1, столбец %2</translation>
     </message>
@@ -5644,57 +5634,57 @@
         <translation>загрузите новый</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>longest below %1 of a tick of %2</source>
         <translation>самый долгий: до %1 (такт %2)</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>m/min</source>
         <translation>м/мин</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>maker</source>
         <translation>изготовитель</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>measured</source>
         <translation>измеренное</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>metres of cutting</source>
         <translation>метры резания</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>milling tool</source>
         <translation>фреза</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>min</source>
         <translation>мин</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>minutes of cutting</source>
         <translation>минуты резания</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm</source>
         <translation>мм</translation>
     </message>
     <message>
-        <location filename="../machine/lengths.cpp"/>
+        <location filename="../machine/live/lengths.cpp"/>
         <source>mm, diameter</source>
         <translation>мм, диаметр</translation>
     </message>
     <message>
-        <location filename="../machine/lengths.cpp"/>
+        <location filename="../machine/live/lengths.cpp"/>
         <source>mm, radius</source>
         <translation>мм, радиус</translation>
     </message>
@@ -5704,57 +5694,57 @@
         <translation>мм/К</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm/min</source>
         <translation>мм/мин</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm/rev</source>
         <translation>мм/об</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm/s</source>
         <translation>мм/с</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm/s2</source>
         <translation>мм/с²</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>mm/s3</source>
         <translation>мм/с³</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>more: %1</source>
         <translation>ещё: %1</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>mounted</source>
         <translation>установлен</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>движет её приводом: оси обменены</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>ms</source>
         <translation>мс</translation>
     </message>
     <message>
-        <location filename="../screens/job_views.cpp"/>
+        <location filename="../screens/programs/job_views.cpp"/>
         <source>never comes: %1</source>
         <translation>не придёт: %1</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>no</source>
         <translation>нет</translation>
     </message>
@@ -5764,12 +5754,12 @@
         <translation>кадр не введён</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>no offset, no tool</source>
         <translation>нет корректора</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>no program</source>
         <translation>нет программы</translation>
     </message>
@@ -5779,7 +5769,7 @@
         <translation>программа не выбрана</translation>
     </message>
     <message>
-        <location filename="../machine/axis_places.cpp"/>
+        <location filename="../machine/live/axis_places.cpp"/>
         <source>no ref.</source>
         <translation>нет реф.</translation>
     </message>
@@ -5789,12 +5779,12 @@
         <translation>нет инструмента, револьвер не зажат</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>no tool known</source>
         <translation>нет инструмента</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>nobody</source>
         <translation>никто</translation>
     </message>
@@ -5804,47 +5794,37 @@
         <translation>ещё не число</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>not all axes are referenced</source>
-        <translation>не все оси в реф. точке</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
-        <source>not all channels of the restart are at their blocks</source>
-        <translation>не все каналы пуска с кадра стоят у своих кадров</translation>
-    </message>
-    <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>not entered</source>
         <translation>не введено</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>not measured</source>
         <translation>не измерен</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>not monitored</source>
         <translation>без учёта</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>нет реф. точки</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>не этот</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>nothing</source>
         <translation>ничего</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>off</source>
         <translation>выкл</translation>
     </message>
@@ -5854,32 +5834,32 @@
         <translation>№ корректора</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>only makers</source>
         <translation>только изготовитель</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>only setters</source>
         <translation>только наладчик</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>operator</source>
         <translation>оператор</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>other name: %1</source>
         <translation>другое имя: %1</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>pale: the rows beside it</source>
         <translation>бледно: соседние ряды</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>pale: the rows beside it; thin: before</source>
         <translation>бледно: соседние ряды; тонко: прежнее</translation>
     </message>
@@ -5889,27 +5869,27 @@
         <translation>паллет</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>parting tool</source>
         <translation>отрезной резец</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>parts to the limit: %1</source>
         <translation>деталей до предела: %1</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>path left</source>
         <translation>остаток пути</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>path speed</source>
         <translation>скорость по контуру</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>pcs</source>
         <translation>шт</translation>
     </message>
@@ -5919,12 +5899,12 @@
         <translation>периодов</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>детали</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>point %1, %2</source>
         <translation>точка %1, %2</translation>
     </message>
@@ -5949,11 +5929,6 @@
         <translation>включите станок</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>press reference all</source>
-        <translation>нажмите «Все оси: в реф. точку»</translation>
-    </message>
-    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>press reset</source>
         <translation>нажмите «сброс»</translation>
@@ -5964,7 +5939,7 @@
         <translation>нажмите «возврат»</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>probe</source>
         <translation>щуп</translation>
     </message>
@@ -5989,7 +5964,7 @@
         <translation>отношение</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>read-only</source>
         <translation>только чтение</translation>
     </message>
@@ -6014,16 +5989,6 @@
         <translation>устраните причину и сбросьте</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>remove its cause, then press reset</source>
-        <translation>устраните причину, затем сброс</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
-        <source>restore a backup, or let a maker confirm what is left</source>
-        <translation>восстановите резервную копию или пусть изготовитель подтвердит остаток</translation>
-    </message>
-    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>rev</source>
         <translation>об</translation>
@@ -6034,7 +5999,7 @@
         <translation>об/с²</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>roughing tool</source>
         <translation>черновой резец</translation>
     </message>
@@ -6054,7 +6019,7 @@
         <translation>об/мин/с</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>s</source>
         <translation>с</translation>
     </message>
@@ -6064,22 +6029,22 @@
         <translation>выберите её на странице программ</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>setter</source>
         <translation>наладчик</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>since the start</source>
         <translation>с запуска</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>special tool</source>
         <translation>спецрезец</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>speed</source>
         <translation>обороты</translation>
     </message>
@@ -6099,17 +6064,17 @@
         <translation>включите его</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>takes effect after a restart of the controller</source>
         <translation>действует после перезапуска УЧПУ</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>takes effect at once</source>
         <translation>действует сразу</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>takes effect at the next preprocessing stop</source>
         <translation>действует с останова подготовки кадров</translation>
     </message>
@@ -6144,12 +6109,12 @@
         <translation>нет смазки</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/machine/alarms.cpp"/>
         <source>the machine</source>
         <translation>станок</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>the machine does not have it</source>
         <translation>у станка такого нет</translation>
     </message>
@@ -6174,12 +6139,12 @@
         <translation>режим ручных перемещений</translation>
     </message>
     <message>
-        <location filename="../machine/setup_sheet.cpp"/>
+        <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>the place is empty</source>
         <translation>место пусто</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics/graphics.cpp"/>
         <source>the program takes no time</source>
         <translation>программа не занимает времени</translation>
     </message>
@@ -6187,11 +6152,6 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>сброс не закончен</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
-        <source>the store has lost data: no production</source>
-        <translation>хранилище потеряло данные: работы нет</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -6204,17 +6164,17 @@
         <translation>задняя бабка ни отведена, ни прижата</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>the time of a tick</source>
         <translation>время такта</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../screens/machine/compensation_page.cpp"/>
         <source>thin: before</source>
         <translation>тонко: прежнее</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>threading tool</source>
         <translation>резьбовой резец</translation>
     </message>
@@ -6224,62 +6184,57 @@
         <translation>тактов</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/overview/channel_card.cpp"/>
         <source>tip</source>
         <translation>вершина</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>too large</source>
         <translation>выше допуска</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>too small</source>
         <translation>ниже допуска</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>tool %1</source>
         <translation>инструмент %1</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>torque</source>
         <translation>момент</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>turn the button back, then press machine on</source>
-        <translation>отпустите кнопку, затем включите станок</translation>
-    </message>
-    <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>turning drill</source>
         <translation>токарное сверло</translation>
     </message>
     <message>
-        <location filename="../machine/axis_places.cpp"/>
+        <location filename="../machine/live/axis_places.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>вращается как шпиндель S%1</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>вращается синхронно, отклонение %1°</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>us</source>
         <translation>мкс</translation>
     </message>
     <message>
-        <location filename="../machine/tool_words.cpp"/>
+        <location filename="../machine/tools/tool_words.cpp"/>
         <source>uses</source>
         <translation>вызовов</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/machine/parameters.cpp"/>
         <source>values: %1</source>
         <translation>значений: %1</translation>
     </message>
@@ -6289,19 +6244,9 @@
         <translation>№ переменной</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/machine/scope_page.cpp"/>
         <source>velocity</source>
         <translation>скорость</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
-        <source>wait</source>
-        <translation>подождите</translation>
-    </message>
-    <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
-        <source>wait for them; if it was refused, restart again or reset</source>
-        <translation>подождите их; если он отклонён, пустите снова или сбросьте</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -6329,52 +6274,52 @@
         <translation>нужно целое число</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/tools/tools_tables.cpp"/>
         <source>wear</source>
         <translation>износ</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>wear of L%1 T%2 D%3</source>
         <translation>износ L%1, T%2 D%3</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
+        <location filename="../screens/tools/parts_page.cpp"/>
         <source>wear of L%1 offset %2</source>
         <translation>износ L%1, корр. %2</translation>
     </message>
     <message>
-        <location filename="../machine/computer_settings.cpp"/>
+        <location filename="../machine/tools/computer_settings.cpp"/>
         <source>yes</source>
         <translation>да</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/programs/files_page.cpp"/>
         <source>«Mark» chooses what is copied or compared</source>
         <translation>«Отметить» выбирает, что копировать или сравнить</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. Camera calibrated: %1.</source>
         <translation>«Измерить» находит вершину и показывает, что будет введено. Камера откалибрована: %1.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../screens/tools/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала откалибруйте камеру по калибру.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part.</source>
         <translation>«Восстановить» вернёт всё, как было тогда. Файл не читается целиком: после «Признать потерю» параметры, корректоры, нули, инструменты и пользователи могут стать как в первый день. Проверьте их до первой детали.</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/machine/system.cpp"/>
         <source>«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.</source>
         <translation>«Восстановить» вернёт всё, как было тогда. «Признать потерю» оставит то, что есть: последние изменения параметров, корректоров, нулей, инструментов, их стойкости и пользователей пропали навсегда. Проверьте их до первой детали.</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../text/display_languages.cpp"/>
         <source>µm</source>
         <translation>мкм</translation>
     </message>
