@@ -7,7 +7,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kIncrementsPerUnit = 1e6;  // nct_parameters_part1 3.3: 1e-6 mm or degree
-constexpr double kNoStop = 999'999.0;       // PT_DRIVE_STOP
+constexpr double kNoDriveStop = 999'999.0;  // PT_DRIVE_STOP
 constexpr double kSwitchOnS = 1.0;          // a drive that is told to operate does so by then
 constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;  // CiA 402: sensor
 }  // namespace
@@ -36,9 +36,9 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.friction = servo.drive_friction;
     setup.drift = servo.drive_drift;
     setup.at_slide = servo.drive_scale;
-    setup.has_stop = servo.drive_stop < kNoStop;
+    setup.has_stop = servo.drive_stop < kNoDriveStop;
     setup.stop_at = servo.drive_stop;
-    setup.has_hold = servo.drive_held > -kNoStop;
+    setup.has_hold = servo.drive_held > -kNoDriveStop;
     setup.hold_at = servo.drive_held;
     setup.motor_reversed = servo.output_inverted;
     setup.encoder_reversed = servo.input_inverted;

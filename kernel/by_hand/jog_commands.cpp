@@ -355,12 +355,17 @@ void Machine::turn_program(std::uint32_t channel, double clicks) noexcept {
                     "the handwheel drives a program only after program_wheel");
         return;
     }
-    if (MotionGate::missing(core_, Door::ProgramHandwheel, channel)) {
+    const auto permit = MotionGate::ask(core_, Door::ProgramHandwheel, channel);
+    if (!permit) {
         core_.alarm(Alarm::NotReady, channel,
                     "the handwheel drives a program only while the machine is on");
         return;
     }
-    program_time_[config.group] += clicks * config.handwheel_time_s;
+    give_time(*permit, config.group, clicks * config.handwheel_time_s);
+}
+
+void Machine::give_time(Permit, std::uint32_t group, double seconds) noexcept {
+    program_time_[group] += seconds;
 }
 
 void Machine::turn_handwheels() noexcept {

@@ -47,24 +47,23 @@ void ChannelRunner::hand_key(std::string_view text) noexcept {
     if (resetting_ && at_rest()) finish_reset();
     StartView view = start_view();
     view.by_hand_mode = view.lacks_program = view.lacks_block = false;
-    if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
-        core_.alarm(Alarm::NotReady, number_, missing.view());
-        return;
-    }
+    const auto permit = permit_of(Door::HandKey, view);
+    if (!permit) return;
     if (held && (question_ || core_.store.value_open() || !may_leave_for_block()))
         return refuse("no block by hand can run where the program is held");
     copy_text(hand_.of_key, text);
-    if (held) return begin_in_hold(HandBlock::Of::Key);
+    if (held) return begin_in_hold(*permit, HandBlock::Of::Key);
     hand_.runs = HandBlock::Of::Key;
-    begin_program(ChannelEventKind::CycleStart, 1, cursor_, std::string_view(hand_.of_key.data()));
+    begin_program(*permit, ChannelEventKind::CycleStart, 1, cursor_,
+                  std::string_view(hand_.of_key.data()));
 }
 
-void ChannelRunner::begin_line() noexcept {
+void ChannelRunner::begin_line(StartPermit permit) noexcept {
     hand_.runs = HandBlock::Of::List;
-    begin_program(ChannelEventKind::CycleStart, 1, cursor_, lines_.run_next());
+    begin_program(permit, ChannelEventKind::CycleStart, 1, cursor_, lines_.run_next());
 }
 
-void ChannelRunner::begin_in_hold(HandBlock::Of what) noexcept {
+void ChannelRunner::begin_in_hold(StartPermit permit, HandBlock::Of what) noexcept {
     if (question_ || core_.store.value_open()) {  // what was set before counts
         start_wanted_ = true;
         return;
@@ -75,7 +74,7 @@ void ChannelRunner::begin_in_hold(HandBlock::Of what) noexcept {
         return;
     }
     hand_.wanted = what;
-    if (program_left_) return enter_by_hand();
+    if (program_left_) return enter_by_hand(permit);
     ask_to_go_back(BackFor::ByHand);
     start_wanted_ = question_ != 0;
 }
@@ -91,11 +90,9 @@ void ChannelRunner::answered_for_block(bool goes_back) noexcept {
         asked_for_ = BackFor::Change;
     } else if (!goes_back) {
         core_.alarm(Alarm::NotReady, number_, "the program cannot be left in this block");
-    } else if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
-        core_.alarm(Alarm::NotReady, number_, missing.view());
-    } else {
+    } else if (const auto permit = permit_of(Door::LineInHold, view)) {
         left_ = asked_;
-        return enter_by_hand();
+        return enter_by_hand(*permit);
     }
     hand_.wanted = HandBlock::Of::Nobody;
 }
@@ -107,12 +104,9 @@ void ChannelRunner::next_line() noexcept {
         segment_->quiet.load(std::memory_order_acquire) < events_sent_)
         return;
     if (mode_ != ChannelMode::Mdi || (keys & kKeySingleBlock) || handwheel_) return lines_.stand();
-    if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
-        lines_.stand();
-        core_.alarm(Alarm::NotReady, number_, missing.view());
-        return;
-    }
-    begin_line();
+    const auto permit = permit_of(Door::EnteredLine, start_view());
+    if (!permit) return lines_.stand();
+    begin_line(*permit);
 }
 
 void ChannelRunner::block_is_over() noexcept {

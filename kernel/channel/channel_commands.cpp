@@ -70,66 +70,86 @@ void ChannelRunner::cycle_start(bool only_by_hand) noexcept {
         if (lines_.waiting() == 0) return;  // why the block was not taken has been said
         if (program_runs()) return core_.alarm(Alarm::MdiRefused, number_, "a program runs");
     }
-    // pressed hold and start before it came to rest
-    if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) {
-        hold_ = false;
-        return;
-    }
+    start_by({});
+}
+
+std::optional<StartPermit> ChannelRunner::permit_of(Door door, const StartView& view) noexcept {
+    const auto permit = MotionGate::ask(core_, door, view);
+    if (!permit) core_.alarm(Alarm::NotReady, number_, missing_for_start(core_, view).view());
+    return permit;
+}
+
+// What a start means just now.
+Door ChannelRunner::door_of_start() const noexcept {
+    if (idle()) return mode_ == ChannelMode::Mdi ? Door::EnteredLine : Door::Start;
+    if (line_is_next()) return Door::LineInHold;
+    return trail_.active() || retrace_ < 0 ? Door::Retrace : Door::GoOn;
+}
+
+// `door`: another one than the key of cycle start.
+void ChannelRunner::start_by(std::optional<Door> door) noexcept {
+    const bool drives = state_ == ChannelState::Running || state_ == ChannelState::Waiting;
+    if (drives && !hold_) return;
     // machine lock of this very tick: it counts before the program runs, or not at all
-    take_keys();
+    if (!drives) take_keys();
     // a reset of this very tick, on a computer that is late: it comes first, as it was pressed
     if (resetting_ && at_rest() && !restart_refused_) finish_reset();
-    if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
-        core_.alarm(Alarm::NotReady, number_, missing.view());
-        return;
-    }
+    const auto permit = permit_of(door.value_or(door_of_start()), start_view());
+    if (!permit) return;
     switch (state_) {
+        case ChannelState::Running:
+        // pressed hold and start before it came to rest
+        case ChannelState::Waiting:
+            hold_ = false;
+            return;
         case ChannelState::Reset:
         case ChannelState::Ended:
             if (mode_ == ChannelMode::Mdi) {
                 lines_.begin(!(keys & kKeySingleBlock));
-                begin_line();
+                begin_line(*permit);
             } else
-                begin_program(ChannelEventKind::CycleStart,
+                begin_program(*permit, ChannelEventKind::CycleStart,
                               static_cast<double>(core_.supervisor.options.parts
                                                       ? core_.supervisor.options.parts
                                                       : 1),
                               cursor_, {});
             return;
         case ChannelState::Held:
-            if (line_is_next()) return begin_in_hold(HandBlock::Of::List);
-            if (trail_.active() || retrace_ < 0)
-                (void)start_retrace();
-            else if (!ready_to_continue())
-                return;
-            hold_ = false;
-            state_ = phase_ == Phase::Waiting && !released_ ? ChannelState::Waiting
-                                                            : ChannelState::Running;
-            stop_reason_ = StopReason::None;
-            return;
+            if (line_is_next()) return begin_in_hold(*permit, HandBlock::Of::List);
+            return go_on(*permit);
         case ChannelState::ProgramStop:
             if (stop_reason_ == StopReason::Dialogue && !answered_) {
                 core_.alarm(Alarm::NotReady, number_,
                             "the program waits for an answer to its dialogue");
                 return;
             }
-            if (trail_.active() || retrace_ < 0)
-                (void)start_retrace();
-            else if (!ready_to_continue())
-                return;
-            if (stop_reason_ == StopReason::Restart) {
-                core_.waits.take_search(index_);
-                restart_ = RestartState::None;
-            }
-            hold_ = false;
-            continue_ = phase_ == Phase::Stopped;
-            if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
-            state_ = ChannelState::Running;
-            stop_reason_ = StopReason::None;
-            return;
+            return go_on(*permit);
         default:
             return;
     }
+}
+
+// From where it stands, in a hold or at a stop.
+void ChannelRunner::go_on(StartPermit permit) noexcept {
+    const bool at_stop = state_ == ChannelState::ProgramStop;
+    if (trail_.active() || retrace_ < 0)
+        (void)start_retrace(permit);
+    else if (!ready_to_continue())
+        return;
+    hold_ = false;
+    if (at_stop) {
+        if (stop_reason_ == StopReason::Restart) {
+            core_.waits.take_search(index_);
+            restart_ = RestartState::None;
+        }
+        continue_ = phase_ == Phase::Stopped;
+        if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
+        state_ = ChannelState::Running;
+    } else {
+        state_ =
+            phase_ == Phase::Waiting && !released_ ? ChannelState::Waiting : ChannelState::Running;
+    }
+    stop_reason_ = StopReason::None;
 }
 
 void ChannelRunner::dialogue_value(double value, std::string_view variable) noexcept {
@@ -152,13 +172,13 @@ void ChannelRunner::dialogue_key(double key) noexcept {
         return;
     }
     answered_ = true;
-    cycle_start();
+    start_by(Door::DialogueKey);
     answered_ = false;
     if (state_ == ChannelState::Running) tell(ChannelEventKind::DialogueKey, cursor_, key);
 }
 
-void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint64_t record,
-                                  std::string_view text) noexcept {
+void ChannelRunner::begin_program(StartPermit, ChannelEventKind how, double value,
+                                  std::uint64_t record, std::string_view text) noexcept {
     know_positions();
     ++run_;
     cut_off_ = false;
@@ -198,15 +218,14 @@ bool ChannelRunner::restart(double block, ChannelSet together, std::uint32_t gro
     StartView view = start_view();
     view.others_search = false;
     view.lacks_program = !selected_;
-    if (const ShortText missing = missing_for_start(core_, view); !missing.view().empty()) {
-        core_.alarm(Alarm::NotReady, number_, missing.view());
-        return false;
-    }
+    const auto permit = permit_of(Door::Restart, view);
+    if (!permit) return false;
     restart_ = RestartState::Searching;
     restart_group_ = group;
     restart_complete_ = restart_refused_ = false;
     core_.waits.begin_search(index_);
-    begin_program(ChannelEventKind::Restart, block, together | ChannelSet{1} << index_, {});
+    begin_program(*permit, ChannelEventKind::Restart, block, together | ChannelSet{1} << index_,
+                  {});
     return true;
 }
 
@@ -351,7 +370,7 @@ void ChannelRunner::start_program() noexcept {
             "the program of another channel was to start this one, whose mode is MDI (choose automatic)");
         return;
     }
-    cycle_start();
+    start_by(Door::ProgramStart);
 }
 
 void ChannelRunner::set_mode(ChannelMode mode) noexcept {
@@ -402,7 +421,7 @@ void ChannelRunner::emergency() noexcept {
     interrupt();
 }
 
-void ChannelRunner::release_wait() noexcept {
+void ChannelRunner::release_wait(Permit) noexcept {
     if (passing_) trail_.met(core_.meetings);
     passing_ = false;
     if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;

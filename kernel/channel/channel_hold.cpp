@@ -155,7 +155,7 @@ void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
 }
 
 // The block that a start has asked for; the program is still held behind it.
-void ChannelRunner::enter_by_hand() noexcept {
+void ChannelRunner::enter_by_hand(StartPermit) noexcept {
     if (asked_for_ == BackFor::ByHand && left_.begun && cursor_ < visible_end_)
         report(KernelEventKind::RecordEnd, record(cursor_), 0);
     asked_for_ = BackFor::Change;

@@ -26,6 +26,7 @@
 #include "kernel/channel/mdi_lines.hpp"
 #include "kernel/channel/thread_retract.hpp"
 #include "kernel/channel/trail.hpp"
+#include "kernel/gate/motion_gate.hpp"
 #include "kernel/gate/start_conditions.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "kernel/motion/thread_follower.hpp"
@@ -60,7 +61,7 @@ public:
     // What the board of waits must know of it (waits.hpp): its half of a meeting counts while its
     // program runs.
     WaitBoard::Standing standing() const noexcept;
-    void release_wait() noexcept;  // the meeting took place
+    void release_wait(Permit permit) noexcept;  // the meeting took place
     // messages and alarms of those that still wait
     void after_waits(std::span<ChannelRunner* const> all) noexcept;
     void publish(ChannelStatus& status) noexcept;
@@ -354,13 +355,13 @@ private:
     void ask_to_go_back(BackFor why) noexcept;
     void take_answer() noexcept;
     void go_back_to(const Place& place, bool away = false) noexcept;
-    void enter_by_hand() noexcept;
+    void enter_by_hand(StartPermit permit) noexcept;
     bool may_leave_for_block() const noexcept {
         return state_ == ChannelState::Held && !held_mdi_ && (program_left_ || stands_in_hold());
     }
     bool line_is_next() const noexcept;
-    void begin_line() noexcept;
-    void begin_in_hold(HandBlock::Of what) noexcept;
+    void begin_line(StartPermit permit) noexcept;
+    void begin_in_hold(StartPermit permit, HandBlock::Of what) noexcept;
     void answered_for_block(bool goes_back) noexcept;
     void next_line() noexcept;
     void block_is_over() noexcept;
@@ -369,7 +370,7 @@ private:
     bool may_leave_path() const noexcept;
     bool leave_path() noexcept;
     bool axes_are_on(const PathRecord& r, double s) const noexcept;
-    bool start_retrace() noexcept;
+    bool start_retrace(StartPermit permit) noexcept;
     bool handwheel_drives_trail() noexcept;
     // A program runs; or it has ended, and the handwheel takes it back.
     bool drives_by_handwheel() const noexcept {
@@ -380,7 +381,13 @@ private:
     void tell_obstacle() noexcept;
     bool stops_for_tool(const PathRecord& r) noexcept;
     bool ready_to_continue() noexcept;
-    void begin_program(ChannelEventKind how, double value, std::uint64_t record,
+    // Nothing of a program begins or goes on without a permit (kernel/gate): a refused one has been
+    // said.
+    std::optional<StartPermit> permit_of(Door door, const StartView& view) noexcept;
+    Door door_of_start() const noexcept;
+    void start_by(std::optional<Door> door) noexcept;
+    void go_on(StartPermit permit) noexcept;
+    void begin_program(StartPermit permit, ChannelEventKind how, double value, std::uint64_t record,
                        std::string_view text) noexcept;
     void watch_standstill(const PathRecord* running) noexcept;
     double tap_gain_of(const PathRecord& r) const noexcept;

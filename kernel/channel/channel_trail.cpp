@@ -64,7 +64,7 @@ bool ChannelRunner::axes_are_on(const PathRecord& r, double s) const noexcept {
 }
 
 // Cycle start while a way back is chosen. True: the trail is driven.
-bool ChannelRunner::start_retrace() noexcept {
+bool ChannelRunner::start_retrace(StartPermit) noexcept {
     if (retrace_ == 0) return false;
     if (retrace_ > 0 && !trail_.active()) {
         retrace_ = 0;

@@ -6,9 +6,11 @@
 // an axis that is free) its own function asks.
 //
 // Invariants
-//   G1  Jogs, reference runs and superposed handwheels begin with a Permit, and only ask() makes
-//   one. G2  A permit is used where it was given: it is no member of anything and outlives no tick.
-//   G3  What was refused is not kept: nothing moves when the ground comes back. Doors that wait for
+//   G1  Jogs, reference runs and superposed handwheels begin with a Permit, programs and blocks by
+//   hand with a StartPermit; only
+//       ask() makes them, and a Permit is no StartPermit.
+//   G2  A permit is used where it was given: it is no member of anything and outlives no tick. G3
+//   What was refused is not kept: nothing moves when the ground comes back. Doors that wait for
 //   something (a way back, an
 //       order of reference points, pulses of a wheel) ask again when their turn comes, and forget
 //       the wish when it is refused.
@@ -25,6 +27,7 @@
 namespace polyturn::kernel {
 
 struct Core;
+struct StartView;
 
 enum class Door : std::uint8_t {
     Start,
@@ -120,7 +123,7 @@ inline constexpr auto kMotionStarts = std::to_array<MotionStart>({
     {Door::WorkRetract, "retract from the work", "PLC_POWER, death of a partner",
      "Machine::run_retracts", kDriven, std::nullopt},
     {Door::PlcSpindle, "spindle", "SP_ROT, S and M of a program", "Machine::spindle_may_turn",
-     kMachineOn | kDoorClosed, Alarm::InterlockStop},
+     kSafe, Alarm::InterlockStop},
 });
 constexpr const MotionStart& row_of(Door door) noexcept {
     return kMotionStarts[static_cast<std::size_t>(door)];
@@ -132,24 +135,30 @@ constexpr bool in_order() noexcept {
 }
 static_assert(in_order(), "each door has its row");
 
-// Who has none cannot begin. It cannot be made, only be given.
-class Permit {
+// Who has none cannot begin. It cannot be made, only be given. Start: of a door with kStartRows.
+template <bool Start>
+class PermitOf {
     friend class MotionGate;
-    explicit constexpr Permit(Door door) noexcept : door_(door) {}
+    explicit constexpr PermitOf(Door door) noexcept : door_(door) {}
     Door door_;
 
 public:
     Door door() const noexcept { return door_; }
 };
+using Permit = PermitOf<false>;
+using StartPermit = PermitOf<true>;
 
 class MotionGate {
 public:
     // What is missing of the grounds of a door: 0 nothing. `channel` from 1: whose door counts; 0
-    // nobody's.
+    // nobody's. Of a start kStartRows always: its rows are not known by a channel's number alone.
     [[nodiscard]] static std::uint8_t missing(const Core& core, Door door,
                                               std::uint32_t channel) noexcept;
     [[nodiscard]] static std::optional<Permit> ask(const Core& core, Door door,
                                                    std::uint32_t channel) noexcept;
+    // A start: all rows of start_conditions.cpp. Any other door stays shut.
+    [[nodiscard]] static std::optional<StartPermit> ask(const Core& core, Door door,
+                                                        const StartView& view) noexcept;
 };
 
 }  // namespace polyturn::kernel

@@ -106,24 +106,37 @@ void Machine::watch_interlocks() noexcept {
     }
 }
 
-// No spindle starts with an open chuck or behind an open door, whatever SP_ROT says; one that turns
-// stops when its chuck opens. In a thread or a cut the axes come to rest first (rotation_for).
-bool Machine::spindle_may_turn(std::uint32_t s) noexcept {
+// No spindle starts with an open chuck, behind an open door or in a machine that is not on,
+// whatever SP_ROT says; one that turns stops when its chuck opens. In a thread or a cut the axes
+// come to rest first (rotation_for). What was refused is not kept.
+bool Machine::spindle_may_turn(std::uint32_t s, std::int32_t wanted) noexcept {
     const std::uint32_t owner = core_.spindles[s].owner;
     const bool open = unclamped(core_, s + 1) && !held_by_partner(core_, s + 1);
-    const bool door = owner != 0 && core_.spindles[s].standing() && core_.door_open(owner);
-    const bool refused = open || door;
-    if (refused && !turn_refused_[s]) {
-        ShortText text = name_of('S', s);
-        text << (open ? " must not turn, its chuck does not hold (clamp it)"
-                      : " must not turn, the door is open (close it)");
-        if (owner)
-            channels_[owner - 1]->fault(Alarm::InterlockStop, text.view(), 0);
-        else
-            core_.alarm(Alarm::InterlockStop, 0, text.view());
-    }
-    turn_refused_[s] = refused;
-    return !refused;
+    const std::uint8_t missing = core_.spindles[s].standing()
+                                     ? MotionGate::missing(core_, Door::PlcSpindle, owner)
+                                     : std::uint8_t{0};
+    const std::uint64_t run = owner ? channels_[owner - 1]->standing().run : 0;
+    TurnRefusal& refused = turn_refused_[s];
+    if (refused.code != wanted ||
+        (refused.run != run && owner && channels_[owner - 1]->program_runs()))
+        refused = {};
+    if (refused.code) return false;
+    if (!open && !missing) return true;
+    refused = {wanted, run};
+    // it has turned, and what has stopped it was said
+    if (!open && !(missing & kDoorClosed) && wanted == rotation_[s]) return false;
+    ShortText text = name_of('S', s);
+    if (open)
+        text << " must not turn, its chuck does not hold (clamp it)";
+    else if (missing & kDoorClosed)
+        text << " must not turn, the door is open (close it)";
+    else
+        text << " must not turn, the machine is not on (switch it on)";
+    if (owner)
+        channels_[owner - 1]->fault(Alarm::InterlockStop, text.view(), 0);
+    else
+        core_.alarm(Alarm::InterlockStop, 0, text.view());
+    return false;
 }
 
 }  // namespace polyturn::kernel

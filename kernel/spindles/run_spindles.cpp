@@ -116,13 +116,13 @@ void Machine::choose_spindles() noexcept {
 std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
     std::int32_t wanted = core_.signals.plc(signals::sp_rot(s + 1));
     if (wanted == 3 || wanted == 4)
-        wanted = spindle_may_turn(s) ? wanted : 5;
+        wanted = spindle_may_turn(s, wanted) ? wanted : 5;
     else
-        turn_refused_[s] = false;
+        turn_refused_[s] = {};
     const bool turned = rotation_[s] == 3 || rotation_[s] == 4;
     bool needed = false;
     // its chuck has opened: the axes first
-    if (turn_refused_[s] && turned && core_.on() && !core_.all_stop)
+    if (turn_refused_[s].code && turned && core_.on() && !core_.all_stop)
         for (auto& channel : channels_)
             needed = needed ||
                      (channel->path_moves() && core_.selected_spindle(channel->number()) == s + 1);

@@ -314,7 +314,9 @@ void Machine::run_channels() noexcept {
     const ChannelSet released = core_.waits.release(core_.no_wait());
     if (released) ++core_.meetings;
     for (unsigned l = 0; released >> l; ++l)
-        if (released >> l & 1u) channels_[l]->release_wait();
+        if (released >> l & 1u)
+            if (const auto permit = MotionGate::ask(core_, Door::WaitRelease, l + 1))
+                channels_[l]->release_wait(*permit);
     for (auto& channel : channels_) channel->after_waits(runners_);
     for (auto& channel : channels_) channel->pass_waits(runners_);
     judge_restarts();

@@ -145,11 +145,18 @@ private:
     std::array<ToolInWork, kMaxChannels> tool_in_work_;
     void program_wheel(std::uint32_t channel, bool on) noexcept;
     void turn_program(std::uint32_t channel, double clicks) noexcept;
+    void give_time(Permit permit, std::uint32_t group, double seconds) noexcept;
     void watch_interlocks() noexcept;
-    bool spindle_may_turn(std::uint32_t spindle) noexcept;
+    bool spindle_may_turn(std::uint32_t spindle, std::int32_t wanted) noexcept;
     // interlocks that are broken while a program runs: bit by row
     std::array<std::uint32_t, kMaxChannels> broken_{};
-    std::array<bool, kMaxSpindles> turn_refused_{};
+    // SP_ROT was not obeyed: it must come anew, or a program of the spindle's owner be started.
+    // Nothing turns when the door is closed.
+    struct TurnRefusal {
+        std::int32_t code = 0;  // SP_ROT then; 0: nothing is refused
+        std::uint64_t run = 0;  // of the owner's program
+    };
+    std::array<TurnRefusal, kMaxSpindles> turn_refused_{};
     void open_direct_device(unsigned axis);
     void run_jogs() noexcept;
     // inclined_by_hand.cpp

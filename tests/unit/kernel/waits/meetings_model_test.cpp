@@ -7,115 +7,12 @@
 
 #include "tests/seeds.hpp"
 #include "tests/unit/kernel/rig.hpp"
+#include "tests/unit/kernel/waits/plain_meetings.hpp"
 
 namespace polyturn::kernel {
 namespace {
 
-constexpr int kNone = -1, kEnd = WaitBoard::kProgramEnd;
-
-// The rules as one would say them (docs/design/waits.md). Knows nothing of boards, runs and groups'
-// numbers.
-struct Model {
-    enum Where { Reset, Runs, Stops, Dead };  // Stops: an alarm has
-    struct Channel {
-        Where where = Reset;
-        bool by_hand = false, dry = false, nowt = false, held = false;
-        bool searches = false, at_block = false;  // of a restart
-        bool complete = false;                    // its restart was, when it was looked at last
-        // its restart was refused: a start begins nothing
-        bool not_meant = false;
-        bool cut_off = false;  // its process died in a program
-        int code = kNone;      // it stands at
-        unsigned set = 0;
-        // channels that restart with it and have not started; 0 none
-        unsigned together = 0;
-        bool restarts() const { return searches || at_block; }
-    };
-    std::vector<Channel> c;
-
-    // What leads it to a code: 0 a cut, 1 a dry run, 2 a block by hand, 3 a search.
-    static int kind(const Channel& a) { return a.searches ? 3 : a.by_hand ? 2 : a.dry ? 1 : 0; }
-    static bool there(const Channel& a) { return a.where == Runs && a.code != kNone; }
-    static bool like(const Channel& a, const Channel& b) {
-        return kind(a) == kind(b) && (!a.searches || a.together == b.together);
-    }
-    bool met(const Channel& a, const Channel& b) const {
-        if (a.code == kEnd) return !a.searches && b.where == Reset && !b.cut_off;
-        return there(b) && b.code == a.code && b.set == a.set && like(a, b);
-    }
-    bool open(unsigned l) const {
-        const Channel& a = c[l];
-        if (!there(a)) return false;
-        if (a.nowt) return true;
-        for (unsigned k = 0; k < c.size(); ++k)
-            if (k != l && (a.set >> k & 1u) && !c[k].nowt && !met(a, c[k])) return false;
-        return true;
-    }
-    void end(unsigned l, Where where) {
-        Channel& a = c[l];
-        a.where = where;
-        a.code = kNone;
-        a.held = a.searches = a.at_block = a.by_hand = false;
-        a.together = 0;
-    }
-    // `l` will not come to its block: nobody of its restart who has not started goes on.
-    void leave(unsigned l, Where where) {
-        const bool restarted = c[l].restarts();
-        const unsigned with = c[l].together;
-        end(l, where);
-        if (!restarted) return;
-        // back to reset, all of them
-        if (where == Stops) {
-            c[l].where = Reset;
-            c[l].not_meant = true;
-        }
-        for (unsigned k = 0; k < c.size(); ++k)
-            if (k != l && c[k].restarts() && c[k].together == with) {
-                end(k, Reset);
-                c[k].not_meant = true;
-            }
-    }
-    bool all_at_block(unsigned l) const {
-        for (const Channel& k : c)
-            if (k.restarts() && k.together == c[l].together && !k.at_block) return false;
-        return true;
-    }
-    // Until nothing changes any more.
-    void settle(unsigned newcomer) {
-        for (bool again = true; again;) {
-            again = false;
-            unsigned go = 0;
-            for (unsigned l = 0; l < c.size(); ++l) go |= open(l) ? 1u << l : 0u;
-            for (unsigned l = 0; l < c.size(); ++l)
-                if (go >> l & 1u) {
-                    c[l].code = kNone;
-                    again = true;
-                }
-            // at other codes they would wait for each other for ever
-            if (newcomer < c.size() && there(c[newcomer])) {
-                bool circle = false;
-                for (unsigned k = 0; k < c.size(); ++k)
-                    circle = circle || (k != newcomer && (c[newcomer].set >> k & 1u) &&
-                                        !c[k].nowt && there(c[k]) && like(c[newcomer], c[k]) &&
-                                        (c[k].code != c[newcomer].code || c[k].code == kEnd));
-                if (circle) {
-                    leave(newcomer, Stops);
-                    again = true;
-                }
-            }
-            newcomer = kMaxChannels;
-            for (unsigned l = 0; l < c.size(); ++l)
-                for (unsigned k = 0; k < c.size(); ++k)
-                    if (there(c[l]) && c[l].searches && c[k].at_block &&
-                        c[k].together == c[l].together && (c[l].set >> k & 1u) && !c[k].nowt &&
-                        !met(c[l], c[k])) {
-                        leave(l, Stops);
-                        again = true;
-                        break;
-                    }
-        }
-    }
-};
+constexpr int kNone = Model::kNone, kEnd = Model::kEnd;
 
 class Lockstep : public TickRig {
 public:
@@ -400,22 +297,28 @@ private:
     std::vector<std::unique_ptr<ChannelSegment>> gone_;
 };
 
-TEST(MeetingsModel, TheMachineDoesWhatThePlainRulesSayInEveryOrderOfKeysAlarmsAndDeaths) {
+void run_order(unsigned seed, unsigned channels, unsigned focus) {
+    std::mt19937 random(test_seed(seed));
+    Lockstep both(channels, focus);
+    std::string steps;
+    for (int step = 0; step < 60; ++step) {
+        steps += both.step(random) + "; ";
+        const std::string difference = both.differs();
+        ASSERT_TRUE(difference.empty())
+            << "seed " << seed << ", " << channels << " channels, focus " << focus << ", step "
+            << step << ": " << steps << '\n'
+            << difference;
+    }
+}
+unsigned orders_of_env(unsigned without) {
     // more of them than each build has time for
     const char* wanted = std::getenv("POLYTURN_ORDERS");
-    const unsigned orders = wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 120;
-    for (unsigned order = 0; order < orders; ++order) {
-        std::mt19937 random(test_seed(order + 1));
-        Lockstep both(2 + order % 15, order / 15);
-        std::string steps;
-        for (int step = 0; step < 60; ++step) {
-            steps += both.step(random) + "; ";
-            const std::string difference = both.differs();
-            ASSERT_TRUE(difference.empty()) << "order " << order << ", " << both.model.c.size()
-                                            << " channels, step " << step << ": " << steps << '\n'
-                                            << difference;
-        }
-    }
+    return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : without;
+}
+
+TEST(MeetingsModel, TheMachineDoesWhatThePlainRulesSayInEveryOrderOfKeysAlarmsAndDeaths) {
+    for (unsigned order = 0, last = orders_of_env(120); order < last && !HasFatalFailure(); ++order)
+        run_order(order + 1, 2 + order % 15, order / 15);
 }
 
 }  // namespace
