@@ -1,11 +1,11 @@
 // Braking to a stand from a state on a road, as hard as the limits allow at each place and each
 // speed on the way.
 //
-//   p |        .--.  .----.         p = -a, over time. p rises with the jerk there is until it is all that is allowed, which
-//     |     .-'    ''      '.       grows as the speed falls; it is lowered in time where the next stretch allows less; it is
-//     |   .'                 '.     released when just enough speed is left for it. If a > 0, that is released first.
-//     +--+---------+----+------+--> t
-//        | stretch | ...
+//   p |        .--.  .----.         p = -a, over time. p rises with the jerk there is until it is
+//     |     .-'    ''      '.       all that is allowed, which grows as the speed falls; it is
+//     |   .'                 '.     lowered in time where the next stretch allows less; it is
+//     +--+---------+----+------+--> t  released when just enough speed is left for it. If a > 0,
+//        | stretch | ...            that is released first.
 //
 // Limits that depend on speed (bends) are taken piece by piece at the beginning of each, where
 // speed is highest, and at its greater p; limits.hpp says why that is safe. Where they do not
@@ -16,23 +16,19 @@
 //            release. When must it begin?
 // Formula    v(t) - w = p(t)^2 / (2 J):  with k = 1 + rate/J and S = v - w - p^2/(2 J), the speed
 //            to spare,
-//                t = 2 S / (p k + sqrt(p^2 k^2 + 2 rate k S))                                                  (1)
+//                t = 2 S / (p k + sqrt(p^2 k^2 + 2 rate k S))                                  (1)
 //            J is estimated from what the stretches on the way of the release allow; where that was
 //            too much, t is made less.
 // Attempts   First in the hope that the speed will have fallen enough wherever a stretch allows
-//            little acceleration. If one
-//            refuses, p is lowered in time there and behind: it takes the way no less time than at
-//            the present speed. Then
-//            everywhere, and earlier.
+//            little acceleration. If one refuses, p is lowered in time there and behind: it takes
+//            the way no less time than at the present speed. Then everywhere, and earlier.
 //
 // Right     Every piece is within the limits of its stretch, and every stretch is entered below its
-//           ceiling, or possible() is
-//           false. So a braking that was possible once can be followed to its end whatever else
-//           comes into view.
+//           ceiling, or possible() is false. So a braking that was possible once can be followed to
+//           its end whatever else comes into view.
 // Cost      a line: some 6 pieces; a bend: 6 to 20, each a handful of square roots, 20 to 50 ns.
 // Weakness  not quite the hardest braking on bends (a percent or two of the way), and sometimes
-// none is found where there is
-//           one; both cost time only, for the promise before stands.
+//           none is found where there is one; both cost time only, for the promise before stands.
 #pragma once
 #include "kernel/motion/jerk_profile.hpp"
 #include "kernel/motion/road.hpp"
@@ -72,8 +68,9 @@ public:
     [[nodiscard]] PathState follow(double time, double dt) const noexcept;
 
 private:
-    static constexpr std::uint32_t kMost = 160;
-    void way(Road& road, const PathState& from, bool obey, const Aim* aim) noexcept;
+    // a bend needs some 20; more: a piece ends wherever a stretch does
+    static constexpr std::uint32_t kMaxPieces = 160;
+    void find(Road& road, const PathState& from, bool obey, const Aim* aim) noexcept;
     bool walk(Road& road, const PathState& from, bool obey, bool gentle, double strict,
               const Aim* aim) noexcept;
     class Walk;
@@ -85,9 +82,9 @@ private:
     double refused_ = 0;  // where a stretch begins that allowed less acceleration
     double peak_ = 0, duration_ = 0, aim_time_ = 0;
     // at the beginning of each piece and at the end; s on the road
-    std::array<PathState, kMost + 1> at_;
-    std::array<double, kMost> time_, jerk_;
-    std::array<const Limits*, kMost> limits_;  // good as long as the road is
+    std::array<PathState, kMaxPieces + 1> at_;
+    std::array<double, kMaxPieces> time_, jerk_;
+    std::array<const Limits*, kMaxPieces> limits_;  // good as long as the road is
 };
 
 }  // namespace polyturn::kernel
