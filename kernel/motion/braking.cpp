@@ -32,8 +32,8 @@ constexpr double kBehindAim = 1e-8;
 //     kEndSpeed (v + kEndSpeedFloor)         mm/s, v: where the release began to be looked for
 //     kEndAcceleration (most + kEndAccelerationFloor)   mm/s2, most: what was allowed there.
 // A thousandth of what a tick changes of either at usual limits; the drives do not notice.
-constexpr double kEndSpeed = 1e-6, kEndSpeedFloor = 1e-3;                // -, mm/s
-constexpr double kEndAcceleration = 1e-5, kEndAccelerationFloor = 1;     // -, mm/s2
+constexpr double kEndSpeed = 1e-6, kEndSpeedFloor = 1e-3;             // -, mm/s
+constexpr double kEndAcceleration = 1e-5, kEndAccelerationFloor = 1;  // -, mm/s2
 
 // --- Releasing p to 0 in two halves, p to p/2 and p/2 to 0 (limits are taken at the beginning of
 // each, so the lower half may have more jerk). With a constant jerk J the speed that p costs is
@@ -82,7 +82,8 @@ constexpr double kLongestStepBack = 0.5;
 // and it believes in no mean jerk below the first one divided by this.
 constexpr double kLeastMeanJerk = 4;
 // A release that needs more speed than this is beyond saving (of the speed there is, of v, mm/s).
-// Less is not: the estimate is made from a few places, the pieces that follow it take what is there.
+// Less is not: the estimate is made from a few places, and the pieces that follow it take what is
+// there.
 constexpr double kReleaseMay = 1.3, kReleaseMayOfV = 5e-3, kReleaseMayBe = 1e-9;
 // Pieces of a release; while the jerk that would end at (w, 0) is not allowed yet, each takes this
 // part of p with the jerk there is, which grows as the speed falls.
@@ -362,9 +363,8 @@ Braking::Release Braking::Walk::release(double s, double v, double p, double to)
                      root = to > 0 ? left : std::cbrt(left);
         const double speed = to + (v - to) * root * root;
         if (root > 0.5) r.upper = std::min(r.upper, there.jerk(speed, p * root));
-        r.lower =
-            std::min(r.lower, there.jerk(std::min(speed, to + (v - to) / kSpeedAtHalf),
-                                         p * std::min(0.5, root)));
+        r.lower = std::min(r.lower, there.jerk(std::min(speed, to + (v - to) / kSpeedAtHalf),
+                                               p * std::min(0.5, root)));
     }
     r.drop = r.upper > 0 && r.lower > 0
                  ? p * p * (kUpperShare / 2 / r.upper + kLowerShare / 2 / r.lower)
@@ -400,8 +400,7 @@ bool Braking::Walk::choose_aim() noexcept {
     const PathState x = state();
     if (x.s > aim_->at) return false;
     look(x.v * std::max(0.0, -x.a) / limits().j);
-    least_ =
-        std::min(aim_->speed, x.v - release(x.s, x.v, std::max(0.0, -x.a), aim_->speed).drop);
+    least_ = std::min(aim_->speed, x.v - release(x.s, x.v, std::max(0.0, -x.a), aim_->speed).drop);
     return least_ > 0;
 }
 
@@ -482,8 +481,7 @@ double Braking::Walk::release_time_ahead(const Change& c, double mean,
                                          double release_at) const noexcept {
     const PathState& x = state();
     const double v = x.v, p = std::max(0.0, -x.a);
-    for (int i = 0;
-         i < kReleaseSteps && release_at > 0 && release_at <= c.time && varied(); ++i) {
+    for (int i = 0; i < kReleaseSteps && release_at > 0 && release_at <= c.time && varied(); ++i) {
         const double t = release_at, p_then = p + c.rate * t, v_then = v - t * (p + c.rate * t / 2);
         const Release there =
             release(x.s + t * (v - t * (p / 2 + c.rate * t / 6)), v_then, p_then, least_);
@@ -491,10 +489,9 @@ double Braking::Walk::release_time_ahead(const Change& c, double mean,
         const double excess = std::min(there.drop, 2 * v) - (v_then - least_);
         if (!(excess > kReleaseExcess * v)) break;
         release_at = std::max(
-            0.0,
-            t - excess / std::max(
-                             p_then * (1 + c.rate / std::max(there.mean(), mean / kLeastMeanJerk)),
-                             excess / (kLongestStepBack * t)));
+            0.0, t - excess / std::max(p_then * (1 + c.rate / std::max(there.mean(),
+                                                                       mean / kLeastMeanJerk)),
+                                       excess / (kLongestStepBack * t)));
     }
     return release_at;
 }
