@@ -1,49 +1,44 @@
 // How the planner decides. Its window and the carrying over records: path_planner.cpp; what it
 // sees: path_view.cpp.
 //
-//   v |        stretch 2                         Every tick asks: which is the fastest step from which the path can still
-//     |  ----.                    .------        come to a stand, below every ceiling and within every limit on the way?
-//     |       '-.                 |
-//     |          '-. arrives      |              A step is one tick of the time-optimal way to the ceiling here. If it is not
-//     |        .    '-------------'-----.        allowed, a step between it and braking as hard as can be, found by bisection.
-//     |         ' .  brakes             |        What is not planned yet, an exact stop, a record that the kernel executes:
-//     +-----------'---------------------'---> s  standstill.
+//   v |        stretch 2                     Every tick asks: which is the fastest step from
+//     |  ----.                    .------    which the path can still come to a stand, below every
+//     |       '-.                 |          ceiling and within every limit on the way?
+//     |          '-. arrives      |
+//     |        .    '-------------'-----.    A step is one tick of the time-optimal way to the
+//     |         ' .  brakes             |    ceiling here. If it is not allowed, a step between it
+//     +-----------'---------------------'--> s   and braking as hard as can be, by bisection.
+//
+// What is not planned yet, an exact stop, a record that the kernel executes: standstill.
 //
 // Given    (s, v, a) now; ceilings and limits of each stretch of the road; feeds, which are wanted
 //          but not at any price.
 //
 // Two questions are asked of the state after a step.
 //   safe     Does braking as hard as can be from there (braking.hpp) keep every hard ceiling and
-//            every limit and end before the
-//            path must stand? No other braking is slower at any place, so if it does not fall below
-//            a ceiling in time, none does.
+//            every limit and end before the path must stand? No other braking is slower at any
+//            place, so if it does not fall below a ceiling in time, none does.
 //            That braking is remembered: it is promised. If no faster step is safe at the next
-//            tick, it is followed, as it
-//            was computed. So there always is a safe step, and the path can always stop within what
-//            is in the window; the
-//            promise stays good when the view changes, for records are final.
+//            tick, it is followed, as it was computed. So there always is a safe step, and the path
+//            can always stop within what is in the window; the promise stays good when the view
+//            changes, for records are final.
 //   arrives  (wanted ceilings only) Is each ceiling reached without the speed having to fall below
-//   it afterwards? Full
-//            braking would carry its acceleration into the slow record and undershoot there, which
-//            is safe but slower.
+//            it afterwards? Full braking would carry its acceleration into the slow record and
+//            undershoot there, which is safe but slower.
 // A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of
 // steps towards the lowest ceiling that is violated.
 //
 // Rounding The last way to a stand is a landing, whose end is exact (landing.hpp).
 // Right    tests: raw differences of the position on random records, feeds, overrides, holds at
-//          random ticks; anomalies()
-//          counts the ticks without a promise or a safe step.
+//          random ticks; anomalies() counts the ticks without a promise or a safe step.
 // Time     tests/bench/motion_bench: 0.5 % above the least time on lines, 6 to 10 % on curves.
 // Cost     Most ticks follow what is promised (path_promise.cpp): 0.1 us on lines, 0.8 us with a
-//          slow blend every few
-//          millimetres or lines and blends of 0.1 mm in turn. A tick that thinks tries at most
-//          kPiecesPerTick pieces of
-//          brakings, some 6 us.
+//          slow blend every few millimetres or lines and blends of 0.1 mm in turn. A tick that
+//          thinks tries at most kPiecesPerTick pieces of brakings, some 6 us.
 // Weakness Acceleration ends before a wanted ceiling, however steadily it sinks (a spiral). Nothing
-// is seen behind the
-//          horizon: 1024 records of 1/20 mm are 50 mm to brake in.
-// Source   Promise: as in invariant-set filters of model predictive control. Rest:
-//          jerk_profile.hpp.
+//          is seen behind the horizon: 1024 records of 1/20 mm are 50 mm to brake in.
+// Source   Promise: as in invariant-set filters of model predictive control.
+//          Rest: jerk_profile.hpp.
 #include <cmath>
 
 #include "kernel/motion/path_planner.hpp"
@@ -52,13 +47,57 @@ namespace polyturn::kernel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Steps between braking and full speed: the best is found to 1/128 of what a tick can change. What
+// is lost is made up for in the next tick.
 constexpr int kBisections = 7;
-constexpr double kRounding = 1e-8;  // mm
-// of the way that is left: then the speed falls for the stand, not for a ceiling
+// The time within a tick at which a distance is reached: 2^-40 of the tick, 1e-12 of it.
+constexpr int kTimeBisections = 40;
+// The same for a landing's piece, which may last seconds: 2^-30 of it, nanoseconds.
+constexpr int kLandingBisections = 30;
+
+constexpr double kRounding = 1e-8;  // mm, of a place on the road
+// A ceiling is kept but for this part of it: within a tick, where the speed is interpolated, and on
+// a landing, which is computed.
+constexpr double kCeilingInTick = 1e-4, kCeilingOnLanding = 1e-7;
+// Not even on the way to a lower speed within a tick is the record's own ceiling passed by more.
+constexpr double kOwnCeiling = 1.001;
+// Two ceilings are the same if they differ by less than this part.
+constexpr double kSameCeiling = 1e-9;
+// mm/s: a step whose release would lead below minus this goes backwards.
+constexpr double kBackwards = 1e-9;
+
+// At rest at the end of a step: mm/s, and of the acceleration that a tick can change. A stop that
+// ends just behind the tick would need another tick for less than the thousandth of one.
+constexpr double kStopSpeed = 1e-6, kStopAcceleration = 0.02;
+
+// Braking that takes more than this part of the way that is left is asked for by the stand, not by
+// a ceiling before it.
 constexpr double kStands = 0.85;
-constexpr double kTogether = 0.03;  // s: slow stretches that follow each other as one
-constexpr double kLonger = 0.15;    // braking to a crawl can be that much longer than to a stand
-constexpr double kFast = 1e6;       // mm/s: as hard as can be
+// Braking to a crawl can be longer than to a stand (jerk_profile.hpp, the trap): ceilings matter as
+// far behind its end as this part of it and A^3 / (4 J^2). More would only cost a look.
+constexpr double kLonger = 0.15;
+// Of the acceleration allowed: with it the limits at a lower ceiling are estimated, for it is
+// entered with less than all and the jerk allowed depends on it.
+constexpr double kHalfBraking = 0.5;
+constexpr double kFast = 1e6;  // mm/s, above every ceiling: as hard as can be
+
+// A rest is too short to be driven when a tick at the full jerk would go 10 times as far: j t^3 is
+// the way that a change of jerk makes in a tick, but for a factor.
+constexpr double kRest = 0.1;
+// mm and of the way: the end of the braking and the end of the road are the same place.
+constexpr double kSameEnd = 1e-6;
+// Of the acceleration allowed: above it is rounding.
+constexpr double kAccelerationRounding = 1e-12;
+// Ticks to the stand: with fewer the landing may begin although limits change on the way (they grow
+// as the speed falls, and the least are taken), and with fewer than the second it begins although
+// more speed could still be had.
+constexpr double kSoonTicks = 6, kNowTicks = 3;
+// Of the jerk: a stop that is possible with this much is not due yet; what is left to the full jerk
+// is the play with which the landing can still meet its end.
+constexpr double kSofter = 0.95;
+constexpr double kDueRounding = 1e-9;  // of the way
+// A landing may be as much softer than the limit as this: the softest that is still worth driving.
+constexpr double kSoftestLanding = 100;
 
 PathState between(const PathState& low, const PathState& high, double part) noexcept {
     return {low.s + part * (high.s - low.s), low.v + part * (high.v - low.v),
@@ -72,8 +111,8 @@ PathPlanner::Step PathPlanner::step_towards(double speed, const Limits& limits) 
               limits};
     PathState& next = step.next;
     // The last thousandth of a stop that ends just behind the tick: at rest.
-    if (state_.a < 0 && next.a <= 0 && next.v < 1e-6 && next.v > -1e-6 &&
-        -next.a < 0.02 * limits.j * dt_)
+    if (state_.a < 0 && next.a <= 0 && next.v < kStopSpeed && next.v > -kStopSpeed &&
+        -next.a < kStopAcceleration * limits.j * dt_)
         next.v = next.a = 0;
     return step;
 }
@@ -86,7 +125,7 @@ double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
             std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * std::min(1.0, distance / step.next.s)));
     const PathState start{0, v0, state_.a};
     double low = 0, high = dt_;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < kTimeBisections; ++i) {
         const double middle = (low + high) / 2;
         (towards_speed(start, step.speed, step.limits.a, step.limits.j, middle).s < distance
              ? low
@@ -102,17 +141,18 @@ bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     if (next.v < 0 || next.s < 0) return false;
     // backwards within it
     if (step.limits.a > 0 && state_.a < 0 &&
-        release_speed(state_.v, state_.a, step.limits.j) < -1e-9)
+        release_speed(state_.v, state_.a, step.limits.j) < -kBackwards)
         return false;
     // Ceilings that are passed within the tick.
     const double highest = std::max(
         {state_.v, next.v,
          state_.a > 0 && next.a <= 0 ? release_speed(state_.v, state_.a, view.tick.j) : 0.0});
-    if (highest > 1.001 * at(first_).v_max && highest > std::max(state_.v, next.v)) return false;
+    if (highest > kOwnCeiling * at(first_).v_max && highest > std::max(state_.v, next.v))
+        return false;
     for (std::uint32_t i = 0; view.end_of(i) < next.s; ++i) {
         const Stretch* const entered = view.stretch(i + 1);
         if (entered == nullptr) break;
-        const double ceiling = entered->ceiling * (1 + 1e-4);
+        const double ceiling = entered->ceiling * (1 + kCeilingInTick);
         if (highest > ceiling && speed_at(step, entered->begin) > ceiling) return false;
     }
     return comes_to_rest(view, which, next);
@@ -136,6 +176,7 @@ bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& nex
     const double speed =
         stands ? tried_.peak()
                : std::max(next.v, release_speed(next.v, std::max(next.a, 0.0), view.tick.j));
+    // mm, what the trap of jerk_profile.hpp adds at the most, twice
     const double crawl = view.tick.a * view.tick.a * view.tick.a / (4 * view.tick.j * view.tick.j);
     const double end = stands ? tried_.end() + kLonger * tried_.distance() + crawl
                               : next.s + speed * (speed / view.tick.a + view.tick.a / view.tick.j);
@@ -147,7 +188,7 @@ bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& nex
     for (std::uint32_t i = 0; view.end_of(i) < end; ++i) {
         const Stretch* const ahead = view.stretch(i + 1);
         if (ahead == nullptr) break;
-        if (ahead->begin <= next.s || ahead->ceiling >= lowest * (1 - 1e-9) ||
+        if (ahead->begin <= next.s || ahead->ceiling >= lowest * (1 - kSameCeiling) ||
             (stands && ahead->begin <= tried_.falls_from()))
             continue;
         lowest = ahead->ceiling;
@@ -155,7 +196,7 @@ bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& nex
             distance_to_speed(first.speed, 0, lowest, there.a, there.j) <= ahead->begin - first.at)
             break;
         first = {ahead->begin, lowest};
-        there = ahead->limits.at(lowest, 0.5 * ahead->limits.a);
+        there = ahead->limits.at(lowest, kHalfBraking * ahead->limits.a);
         if (!(there.a > 0) || !(there.j > 0)) break;
     }
     if (stands && (first.at == kInfinity ||
@@ -314,7 +355,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
 // What an earlier stop left: too short to be driven, and far below what any limit would notice.
 bool PathPlanner::step_over_rest(View& view) noexcept {
     if (!at_rest() || !(view.ceiling > 0)) return false;
-    const double most = 0.1 * view.tick.j * dt_ * dt_ * dt_;
+    const double most = kRest * view.tick.j * dt_ * dt_ * dt_;
     for (std::uint32_t i = 0; view.end_of(i) <= most; ++i) {
         if (view.stretch(i + 1) != nullptr) continue;
         if (view.end_record == kNone) return false;
@@ -337,7 +378,7 @@ bool PathPlanner::begin_landing(View& view) noexcept {
     std::uint32_t last = 0;
     Limits least = view.stretch(0)->limits;
     bool alike = true;
-    while (view.end_of(last) < stands * (1 + 1e-6) + 1e-6) {
+    while (view.end_of(last) < stands * (1 + kSameEnd) + kSameEnd) {
         const Stretch* const next = view.stretch(last + 1);
         if (next == nullptr) break;
         alike = alike && !next->limits.narrower_than(least) && !least.narrower_than(next->limits);
@@ -351,14 +392,16 @@ bool PathPlanner::begin_landing(View& view) noexcept {
     if (!(limits.j > 0)) return false;
     const double highest = a > 0 ? v + a * a / limits.j : v;  // before it falls, it rises
     if (a > 0) limits = least.at(highest, a);
-    if (!(limits.a > 0) || !(limits.j > 0) || std::abs(a) > limits.a * (1 + 1e-12)) return false;
-    if (left > 6 * dt_ && (!alike || !limits.flat() || !least.flat())) return false;
-    // Now, or can more speed still be had?
-    const double softer = std::max(0.95 * limits.j, a < 0 ? a * a / (2 * v) : 0.0);
-    if (stopping_distance(v, a, limits.a, softer) <= distance * (1 - 1e-9) &&
-        stopping_time(v, a, limits.a, limits.j) > 3 * dt_)
+    if (!(limits.a > 0) || !(limits.j > 0) || std::abs(a) > limits.a * (1 + kAccelerationRounding))
         return false;
-    if (!landing_.aim(v, a, distance, limits.a, limits.j / 100, limits.j / kPlannedJerk))
+    if (left > kSoonTicks * dt_ && (!alike || !limits.flat() || !least.flat())) return false;
+    // Now, or can more speed still be had?
+    const double softer = std::max(kSofter * limits.j, a < 0 ? a * a / (2 * v) : 0.0);
+    if (stopping_distance(v, a, limits.a, softer) <= distance * (1 - kDueRounding) &&
+        stopping_time(v, a, limits.a, limits.j) > kNowTicks * dt_)
+        return false;
+    if (!landing_.aim(v, a, distance, limits.a, limits.j / kSoftestLanding,
+                      limits.j / kPlannedJerk))
         return false;
     if (a > 0 && !least.flat() && release_speed(v, a, landing_.jerk()) > highest) return false;
     // It never rises above where it is by more than the ceilings allow, and comes below each in
@@ -371,15 +414,17 @@ bool PathPlanner::begin_landing(View& view) noexcept {
         PathState x{0, v, a};
         for (int piece = 0; piece < 3; ++piece) {
             const PathState end = advanced(x, profile.jerk[piece], profile.time[piece]);
-            if (x.s >= stretch.begin && x.v > stretch.ceiling * (1 + 1e-7)) return false;
+            if (x.s >= stretch.begin && x.v > stretch.ceiling * (1 + kCeilingOnLanding))
+                return false;
             if (end.s > stretch.begin && x.s < stretch.begin) {
                 double low = 0, high = profile.time[piece];
-                for (int k = 0; k < 30; ++k) {
+                for (int k = 0; k < kLandingBisections; ++k) {
                     const double middle = (low + high) / 2;
                     (advanced(x, profile.jerk[piece], middle).s < stretch.begin ? low : high) =
                         middle;
                 }
-                if (advanced(x, profile.jerk[piece], high).v > stretch.ceiling * (1 + 1e-7))
+                if (advanced(x, profile.jerk[piece], high).v >
+                    stretch.ceiling * (1 + kCeilingOnLanding))
                     return false;
             }
             x = end;
