@@ -7,6 +7,16 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// mm/s, mm/s2, mm/s3: a record that allows less, or nothing, still has an end; it takes hours, and
+// no quotient becomes infinite.
+constexpr double kLeastLimit = 1e-6;
+// Without a jerk limit, acceleration may rise to all that is allowed within a tick divided by this:
+// a step for the axes, and still a finite jerk for the formulas.
+constexpr double kJerkSteps = 100;
+// mm: less than this before an exact stop is rounding of the stop before, and not driven.
+constexpr double kNothingLeft = 1e-9;
+// mm/s: where the path must stand it may arrive with no more; more is counted (anomalies()).
+constexpr double kStandstillSpeed = 1e-3;
 }  // namespace
 
 PlannedRecord PlannedRecord::from(const PathRecord& record, bool stop_before) noexcept {
@@ -56,10 +66,10 @@ void PathPlanner::append(const PlannedRecord& record) noexcept {
         slot.v_max = slot.a_max = slot.j_max = kInfinity;
         slot.bend = slot.turning = slot.along = slot.across = 0;
     } else {
-        slot.v_max = std::max(record.v_max, 1e-6);
-        slot.a_max = std::max(record.a_max, 1e-6);
-        // No jerk limit: change acceleration within a hundredth of a tick.
-        slot.j_max = kPlannedJerk * std::clamp(record.j_max, 1e-6, 100 * slot.a_max / dt_);
+        slot.v_max = std::max(record.v_max, kLeastLimit);
+        slot.a_max = std::max(record.a_max, kLeastLimit);
+        slot.j_max =
+            kPlannedJerk * std::clamp(record.j_max, kLeastLimit, kJerkSteps * slot.a_max / dt_);
     }
     add_to_group(end_);
     ++end_;
@@ -175,7 +185,9 @@ Stands PathPlanner::leave_standstill(const PathInput& input, PathStep& step) noe
 
 void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
     const double v0 = state_.v, v1 = next.v, moved = next.s;
-    // Part of the tick after which a distance is done, with the speed taken as linear in time.
+    // Part of the tick after which a distance is done, with the speed taken as linear in time: from
+    // v0 to u = sqrt(v0^2 + (v1^2 - v0^2) ratio) with the mean (v0 + u)/2, against (v0 + v1)/2 for
+    // all of it.
     const auto part_at = [&](double distance) {
         if (!(moved > 0)) return 1.0;
         const double ratio = std::clamp(distance / moved, 0.0, 1.0);
@@ -187,6 +199,8 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
     double s = state_.s + moved, done = -state_.s;
     double fraction = 0;
     state_ = {s, v1, next.a};
+    // Record by record: `s` is what is driven of the running one and behind. It ends where it is
+    // passed, or where the landing says so: that end is exact, `s` is not.
     for (;;) {
         Slot& slot = at(first_);
         if (!began_) {
@@ -204,7 +218,7 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
         if (step.ended_to == step.ended_from) step.ended_from = first_;
         step.ended_to = first_ + 1;
         if (lands_here || stops_at_end(first_)) {
-            if (!lands_here && v1 > 1e-3) ++anomalies_;
+            if (!lands_here && v1 > kStandstillSpeed) ++anomalies_;
             state_ = {slot.length, 0, 0};
             done_ = true;
             if (first_ == block_latch_) {
@@ -240,7 +254,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
         } else {
             const double left = at(first_).length - state_.s;
             // nothing to drive: rounding of an earlier stop
-            if (at_rest() && left < 1e-9 && stops_at_end(first_)) {
+            if (at_rest() && left < kNothingLeft && stops_at_end(first_)) {
                 landing_end_ = first_;
                 landing_.at_once(left);
                 carry({left, 0, 0}, step);
