@@ -3,11 +3,16 @@
 namespace polyturn::kernel {
 
 namespace {
+// Halvings from an upper bound, and the relative difference that ends them: 2^-44 is 6e-14.
+constexpr int kBisections = 44;
+constexpr double kNear = 1e-12;
+
 // Braking from (v, 0) to (w, 0): mean speed (v + w)/2 times the time of a symmetrical ramp.
+// With `drop` v - w, that takes 2 sqrt(drop/J) where A is not reached, else drop/A + A/J.
 double braking_length(double v, double w, double a_max, double j_max) {
-    const double d = v - w;
+    const double drop = v - w;
     const double time =
-        d <= a_max * a_max / j_max ? 2 * std::sqrt(d / j_max) : d / a_max + a_max / j_max;
+        drop <= a_max * a_max / j_max ? 2 * std::sqrt(drop / j_max) : drop / a_max + a_max / j_max;
     return (v + w) / 2 * time;
 }
 
@@ -15,7 +20,7 @@ double braking_length(double v, double w, double a_max, double j_max) {
 double top_speed_to(double distance, double w, double a_max, double j_max) {
     // With the ramp's jerk phase the length exceeds (v^2 - w^2)/(2 A): an upper bound of v.
     double low = w, high = std::sqrt(w * w + 2 * a_max * distance);
-    for (int i = 0; i < 44 && high - low > 1e-12 * high; ++i) {
+    for (int i = 0; i < kBisections && high - low > kNear * high; ++i) {
         const double middle = (low + high) / 2;
         (braking_length(middle, w, a_max, j_max) <= distance ? low : high) = middle;
     }
