@@ -8,6 +8,22 @@ constexpr double kPole = 120;  // 1/s, of what is left to the line; see «Drivin
 // of the limits for closing a gap; the rest follows the spindle's swings
 constexpr double kShareA = 0.85, kShareJ = 0.8;
 constexpr double kPlannedJerk = 0.98;  // the landing ends exactly with the rest
+// of the limit of jerk that the controller takes; the rest is rounding of what drives it
+constexpr double kControlJerk = 0.99;
+constexpr double kDegrees = 360;  // a revolution
+// The quintic of ClosingGap in a time T, its peaks:
+//   from rest onto a line of speed v, over the way v T/2:   a = 1.5 v/T,  j = 6 v/T^2
+//   a jump of speed v without a gap of position:            a = 4 v/T,    j = 36 v/T^2
+constexpr double kRunInA = 1.5, kRunInJ = 6, kJumpA = 4, kJumpJ = 36;
+// of the change of speed that a tick at full acceleration makes: a smaller jump is left to the
+// controller
+constexpr double kJumpWorthClosing = 0.02;
+// mm a revolution, mm/s, mm/s2, mm/s3: what a record may not go below, lest a quotient be infinite
+constexpr double kLeastLead = 1e-9, kLeastLimit = 1e-6;
+// without a jerk limit: all acceleration within a tick divided by this
+constexpr double kJerkSteps = 100;
+// a landing is no softer than the limit divided by this
+constexpr double kSoftestLanding = 100;
 }  // namespace
 
 void ThreadFollower::clear(std::uint64_t first) noexcept {
@@ -27,14 +43,14 @@ bool ThreadFollower::append(const PathRecord& record) noexcept {
     piece = {length_,
              std::max(record.length, 0.0),
              0,
-             std::max(std::abs(record.lead), 1e-9),
+             std::max(std::abs(record.lead), kLeastLead),
              record.lead_change,
-             std::max(record.v_max, 1e-6),
-             std::max(record.a_max, 1e-6),
+             std::max(record.v_max, kLeastLimit),
+             std::max(record.a_max, kLeastLimit),
              0,
              0,
              0};
-    piece.j_max = std::clamp(record.j_max, 1e-6, 100 * piece.a_max / dt_);
+    piece.j_max = std::clamp(record.j_max, kLeastLimit, kJerkSteps * piece.a_max / dt_);
     if (count_ == 0) {
         start_angle_ = record.start_angle;
         a_max_ = piece.a_max;
@@ -58,7 +74,7 @@ bool ThreadFollower::append(const PathRecord& record) noexcept {
 
 ThreadFollower::Line ThreadFollower::line_at(double angle, double speed,
                                              double acceleration) const noexcept {
-    const double turn = sense_ * (angle - origin_) / 360;
+    const double turn = sense_ * (angle - origin_) / kDegrees;
     std::uint32_t i = line_piece_;
     while (i + 1 < count_ && turn >= pieces_[i + 1].turn) ++i;
     const Piece& piece = pieces_[i];
@@ -66,9 +82,9 @@ ThreadFollower::Line ThreadFollower::line_at(double angle, double speed,
     // before its beginning the line is straight
     const double change = u > 0 ? piece.lead_change : 0;
     const double lead = std::max(0.0, piece.lead + change * u);
-    const double rate = sense_ * speed / 360;
+    const double rate = sense_ * speed / kDegrees;
     return {piece.begin + u * (piece.lead + change * u / 2), lead * rate,
-            lead * sense_ * acceleration / 360 + change * rate * rate, i};
+            lead * sense_ * acceleration / kDegrees + change * rate * rate, i};
 }
 
 double ThreadFollower::closing_time(double speed_step, double a_max, double j_max, double peak_a,
@@ -79,13 +95,13 @@ double ThreadFollower::closing_time(double speed_step, double a_max, double j_ma
 
 double ThreadFollower::run_in(double spindle_speed) const noexcept {
     if (count_ == 0) return 0;
-    const double v = pieces_[0].lead * std::abs(spindle_speed) / 360;
-    return v * closing_time(v, a_max_, j_max_, 1.5, 6) / 2;
+    const double v = pieces_[0].lead * std::abs(spindle_speed) / kDegrees;
+    return v * closing_time(v, a_max_, j_max_, kRunInA, kRunInJ) / 2;
 }
 
 // True when the axis must begin to move in this tick.
 bool ThreadFollower::wait_for_angle(const ThreadInput& input, ThreadStep& step) noexcept {
-    const double speed = std::abs(input.speed), v = pieces_[0].lead * speed / 360;
+    const double speed = std::abs(input.speed), v = pieces_[0].lead * speed / kDegrees;
     if (!(speed > 0)) return false;
     double lead = 0;
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -94,14 +110,14 @@ bool ThreadFollower::wait_for_angle(const ThreadInput& input, ThreadStep& step) 
             std::max(0.0, piece.lead * piece.lead + 2 * piece.lead_change * piece.length));
         lead = std::max({lead, piece.lead, root});
     }
-    step.too_fast = lead * speed / 360 > v_max_;
+    step.too_fast = lead * speed / kDegrees > v_max_;
     if (step.too_fast) return false;
     sense_ = input.speed > 0 ? 1 : -1;
     // degrees before the start angle
-    const double need = speed * closing_time(v, a_max_, j_max_, 1.5, 6) / 2;
+    const double need = speed * closing_time(v, a_max_, j_max_, kRunInA, kRunInJ) / 2;
     // input.angle is that of the tick's end; the motion would begin at its beginning.
     const double angle = input.angle - input.speed * dt_;
-    double over = std::fmod(sense_ * (start_angle_ - angle) - need, 360);
+    double over = std::fmod(sense_ * (start_angle_ - angle) - need, kDegrees);
     if (over < 0) over += 360;
     if (over >= speed * dt_) return false;  // the next tick is early enough
     // degrees until the start angle: the line is that far behind s = 0
@@ -117,8 +133,8 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
     if (line.piece != line_piece_) {  // the lead may jump: close the gap of speed
         line_piece_ = line.piece;
         const double jump = state_.v - line.v;
-        if (std::abs(jump) > 0.02 * a_max_ * dt_) {
-            const double time = closing_time(std::abs(jump), a_max_, j_max_, 4, 36) + dt_;
+        if (std::abs(jump) > kJumpWorthClosing * a_max_ * dt_) {
+            const double time = closing_time(std::abs(jump), a_max_, j_max_, kJumpA, kJumpJ) + dt_;
             gap_.begin({state_.s + state_.v * dt_ - line.s, jump, state_.a - line.a}, time);
         }
     }
@@ -128,9 +144,11 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
     const PathState free = advanced(state_, 0, dt_);
     const double d = line.s + gap.e - free.s, d1 = line.v + gap.e1 - free.v,
                  d2 = line.a + gap.e2 - free.a;
+    // All four poles at -p: (x + p)^4 = x^4 + 4 p x^3 + 6 p^2 x^2 + 4 p^3 x + p^4, the factors of
+    // d2, d1, d and the integral of d.
     constexpr double p = kPole;
     double j = p * p * p * (p * sum_ + 4 * d) + 6 * p * p * d1 + 4 * p * d2;
-    const double limit = 0.99 * j_max_;
+    const double limit = kControlJerk * j_max_;
     if (std::abs(j) < limit) sum_ += d * dt_;
     j = std::clamp(j, std::max(-limit, (-a_max_ - state_.a) / dt_),
                    std::min(limit, (a_max_ - state_.a) / dt_));
@@ -170,7 +188,7 @@ ThreadStep ThreadFollower::tick(const ThreadInput& input) noexcept {
             if (next.v > 0 &&
                 stopping_distance(next.v, next.a, a_max_, kPlannedJerk * j_max_) >
                     length_ - next.s &&
-                landing_.aim(state_.v, state_.a, left, a_max_, j_max_ / 100, j_max_)) {
+                landing_.aim(state_.v, state_.a, left, a_max_, j_max_ / kSoftestLanding, j_max_)) {
                 phase_ = ThreadPhase::Leaving;
                 next = landing_.step(dt_);
                 next.s += state_.s;
