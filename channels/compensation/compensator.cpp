@@ -74,7 +74,7 @@ void Compensator::nose(double radius, Vec tip, bool has_offset, Vec offset_step)
 }
 
 bool Compensator::in_plane(const Move& m) const {
-    constexpr double kSame = 1e-9;  // as Core judges it
+    constexpr double kSame = 1e-9;  // mm, as Core judges it
     if (m.offset_alone) return false;
     return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame ||
            std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;
@@ -219,6 +219,8 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
             fail(Alarm::CompNoIntersection, false, block_.at);
             return;
         }
+        // rad, a little less than pi: an arc of half a turn is one in spite of rounding. Its last
+        // vector is kept, for the nose goes round to the other side of its centre.
         constexpr double kHalfTurn = 3.14159;
         drop_small(corner.vectors, options_.small_vector,
                    next.arc && std::fabs(next.sweep) >= kHalfTurn);
@@ -321,6 +323,7 @@ Vectors Compensator::before_rapid() const {
     const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start),
                  before = std::fmin(e.nose, way);
     const double path = e.arc ? e.nose_path_radius(e.end_radius) : 0.0;
+    // On an arc the right angle is path^2 = before^2 + (distance outwards)^2, seen from the centre:
     // it stays on its circle about the centre, and touches the perpendicular there
     if (path > before && e.end_radius > 0) {
         const Vec outwards = (1.0 / e.end_radius) * (e.end - e.centre);

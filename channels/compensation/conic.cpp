@@ -5,8 +5,12 @@
 namespace polyturn::channels::compensation {
 namespace {
 
+// What is driven instead of the conic are chords: half a micrometre, a step of the axes.
 constexpr double kChordErrorMm = 5e-4;
-constexpr int kMostPieces = 512;
+constexpr int kFewestPieces = 4, kMostPieces = 512;
+// cos h: a reversal, its corner is at infinity; and 1 - cos h: straight on, nothing to round.
+constexpr double kReversal = 1e-6, kStraight = 1e-12;
+constexpr double kShortestChordMm = 1e-12;  // keeps a quotient finite
 
 }  // namespace
 
@@ -14,7 +18,7 @@ std::vector<Vec> conic_about(Vec from, Vec to, Vec corner, double overshoot) {
     const Vec a = from - corner, b = to - corner, sum = a + b;
     const double cos_full = dot(a, b) / (length(a) * length(b));
     const double c = std::sqrt(std::fmax(0.0, (1.0 + cos_full) / 2.0));  // cos h
-    if (c < 1e-6 || 1.0 - c < 1e-12) return {};
+    if (c < kReversal || 1.0 - c < kStraight) return {};
     const Vec top = (1.0 / (1.0 + cos_full)) * sum;  // C seen from the corner: |C| = r / cos h
     const double q = (1.0 - c + overshoot * (1.0 / c - 1.0)) / (1.0 / c - c), w = q / (1.0 - q);
     const auto at = [&](double t) {
@@ -23,14 +27,14 @@ std::vector<Vec> conic_about(Vec from, Vec to, Vec corner, double overshoot) {
     };
     // Halved until the middle of no piece is farther from its chord than may be; the curve has no
     // turning point.
-    int pieces = 4;
+    int pieces = kFewestPieces;
     for (; pieces < kMostPieces; pieces *= 2) {
         double worst = 0;
         for (int k = 0; k < pieces; ++k) {
             const Vec p = at(static_cast<double>(k) / pieces), r = at((k + 1.0) / pieces),
                       m = at((k + 0.5) / pieces);
-            worst =
-                std::max(worst, std::fabs(cross(r - p, m - p)) / std::fmax(length(r - p), 1e-12));
+            worst = std::max(
+                worst, std::fabs(cross(r - p, m - p)) / std::fmax(length(r - p), kShortestChordMm));
         }
         if (worst < kChordErrorMm) break;
     }

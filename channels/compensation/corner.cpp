@@ -9,6 +9,10 @@ namespace {
 constexpr double kTangent = 1e-9;
 constexpr double kRightAngle = 1e-9;  // cosine: 90 degrees counts as obtuse
 constexpr double kOneDegree = std::numbers::pi / 180.0;
+constexpr double kHalfTurnDeg = 180.0;
+// degrees: where the contour opens by more than 120 the arc hardly leaves it
+// (sinumerik_part2 11.3); 120 itself is not more, but for rounding
+constexpr double kRoundedBelowDeg = 120.0 + 1e-9;
 constexpr double kSharpest = 0.995;  // of the overshoot that a conic can make
 
 Vec first_normal(const Element& a) { return a.nose * a.normal_at_end(); }
@@ -31,7 +35,7 @@ void add_outer_tangents(Vectors& list, const Element& a, const Element& b) {
 
 // Degrees between the elements on the workpiece's side of an outer corner.
 double opening_deg(const Element& a, const Element& b) {
-    return 180.0 -
+    return kHalfTurnDeg -
            std::fabs(std::atan2(cross(a.end_dir, b.start_dir), dot(a.end_dir, b.start_dir))) /
                kOneDegree;
 }
@@ -42,10 +46,8 @@ void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn,
         (options.arc_below_deg > 0 && opening_deg(a, b) < options.arc_below_deg) ||
         (options.corner == Corner::Intersection &&
          opening_deg(a, b) < options.intersection_from_deg)) {
-        // Where the contour opens by more than 120 degrees the arc hardly leaves it
-        // (sinumerik_part2 11.3).
         const double over = options.corner == Corner::Arc && turn != Turn::Reversal &&
-                                    opening_deg(a, b) <= 120.0 + 1e-9
+                                    opening_deg(a, b) <= kRoundedBelowDeg
                                 ? options.overshoot
                                 : 0.0;
         if (over >= 1.0) {
@@ -106,7 +108,7 @@ void add_tangent(Vectors& list, const Element& contour, Vec corner, Vec normal, 
     const double between =
         std::fabs(std::atan2(cross(touch, normal), dot(touch, normal))) / kOneDegree;
     if (options.corner == Corner::Intersection &&
-        180.0 - between >= options.intersection_from_deg) {
+        kHalfTurnDeg - between >= options.intersection_from_deg) {
         const double sine = cross(u, along);
         const Vec meeting =
             std::fabs(sine) < kTangent ? normal : touch + (cross(normal - touch, along) / sine) * u;
@@ -224,7 +226,7 @@ CornerResult retract_corner(const Element& a, Vec wish) {
 }
 
 void drop_small(Vectors& list, double limit, bool keep_last) {
-    constexpr double kSame = 1e-7;  // mm
+    constexpr double kSame = 1e-7;  // mm: rounding of the corner's geometry
     const double close = limit > kSame ? limit : kSame;
     unsigned kept = 1;
     for (unsigned i = 1; i < list.count; ++i) {

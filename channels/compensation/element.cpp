@@ -9,6 +9,10 @@ namespace {
 constexpr double kParallel = 1e-9;
 constexpr double kTouch = 1e-7;  // mm: equidistants that miss each other by rounding only touch
 
+// A contour counts as closed if its ends are no farther apart than this part of the nose's radius
+// and, mm, this: 1000 steps of the path. More is meant.
+constexpr double kClosedOfNose = 0.1, kClosedMm = 1.0;
+
 struct Circle {
     Vec centre;  // seen from the corner
     double radius;
@@ -113,8 +117,7 @@ Crossings crossings(const Element& a, const Element& b) {
 
 std::optional<Vec> closed_meeting_point(const Element& a, const Element& b, bool at_start) {
     const double gap = length(b.end - a.start);
-    // 1 mm: 1000 steps of the path
-    if ((!a.arc && !b.arc) || gap >= 0.1 * a.nose || gap > 1.0) return std::nullopt;
+    if ((!a.arc && !b.arc) || gap >= kClosedOfNose * a.nose || gap > kClosedMm) return std::nullopt;
     const Crossings points = crossings(a, b);
     std::optional<Vec> found;
     for (int i = 0; i < points.count; ++i)

@@ -18,9 +18,10 @@
 namespace polyturn::channels::compensation {
 namespace {
 
-// times the nose's radius: longer ones do not wait for the block behind them
+// times the nose's radius: longer ones do not wait for the block behind them. In a corner of 53
+// degrees the nose takes two radii of an element at each end, in a sharper one more.
 constexpr double kShort = 4.0;
-constexpr std::size_t kDeepest = 16;  // so many wait at the most
+constexpr std::size_t kDeepest = 16;  // so many wait at the most; memory of a block each
 
 // The point of `on` that the nose passes first (last) of those where it meets `other`, within its
 // normals or beyond them.
