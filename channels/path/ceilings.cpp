@@ -10,7 +10,18 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 1e-12;                   // an axis' share below this does not move
 constexpr double kFastest = 1e6, kHardest = 1e9;  // where no axis limits: keeps arithmetic finite
+// Places of an arc that are looked at: so many and so many a radian, at the most ... (every 0.1 rad
+// its tangent has turned by 6 degrees, what lies between is in kSampling), and its quarters.
+constexpr std::size_t kArcSamples = 4, kMostArcSamples = 64;
+constexpr double kArcSamplesPerRad = 10;
 constexpr std::size_t kMostSamples = 80;
+// Of a curve's record, a quintic, and of a record behind a transformation, which bends it more.
+constexpr std::size_t kCurveSteps = 8, kTransformedSteps = 12;
+// Threads: of the jerk that the bend leaves, for changing acceleration through it. The other half
+// remains for the jerk along the path.
+constexpr double kThreadTurning = 0.5;
+// d3/dt3 of a path at speed v with acceleration a has the term 3 k v a: limits.hpp.
+constexpr double kTurning = 3;
 
 struct Samples {
     std::size_t count = 0;
@@ -67,11 +78,12 @@ Ceilings of_thread(const PathRecord& r, const PathLimits& limits, bool rapid,
     };
     each([&](const PathAxis& axis, double t, double k, double p) {
         if (t > kFlat) c.a = std::min(c.a, (axis.accel - k * v2) / t);
-        if (k * c.v > kFlat) c.a = std::min(c.a, 0.5 * (axis.jerk - p * v3) / (3 * k * c.v));
+        if (k * c.v > kFlat)
+            c.a = std::min(c.a, kThreadTurning * (axis.jerk - p * v3) / (kTurning * k * c.v));
     });
     c.a = std::min(c.a * kSampling, kHardest);
     each([&](const PathAxis& axis, double t, double k, double p) {
-        if (t > kFlat) c.j = std::min(c.j, (axis.jerk - p * v3 - 3 * k * c.v * c.a) / t);
+        if (t > kFlat) c.j = std::min(c.j, (axis.jerk - p * v3 - kTurning * k * c.v * c.a) / t);
     });
     c.j *= kSampling;
     return c;
@@ -131,7 +143,7 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid,
     c.bend = c.a * a_skew * of_a.k;
     if (of_j.t > 0) {
         c.j = kSampling / (j_skew * of_j.t);
-        c.turning = c.j * 3 * j_skew * of_j.k;
+        c.turning = c.j * kTurning * j_skew * of_j.k;
         c.along = c.j * j_along;
         c.across = c.j * j_across;
     }
@@ -159,7 +171,8 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid,
 void sample_arc(const PathRecord& r, Samples& samples) {
     const double sweep = r.shape[arc_shape::kSweep], start = r.shape[arc_shape::kStartAngle];
     const double seen = std::min(std::abs(sweep), 2 * std::numbers::pi);
-    const std::size_t steps = std::min<std::size_t>(64, 4 + static_cast<std::size_t>(seen * 10));
+    const std::size_t steps = std::min<std::size_t>(
+        kMostArcSamples, kArcSamples + static_cast<std::size_t>(seen * kArcSamplesPerRad));
     for (std::size_t n = 0; n <= steps; ++n)
         derivatives_at(r,
                        r.length * (seen / std::abs(sweep)) * static_cast<double>(n) /
@@ -192,18 +205,18 @@ Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
         if (!rapid) c.v = std::min(c.v, std::max(std::sqrt(softest * radius), limits.arc_feed_min));
         return c;
     }
-    constexpr std::size_t kSteps = 8;
-    for (std::size_t n = 0; n <= kSteps; ++n)
-        derivatives_at(r, r.length * static_cast<double>(n) / kSteps, samples.at[samples.count++]);
+    for (std::size_t n = 0; n <= kCurveSteps; ++n)
+        derivatives_at(r, r.length * static_cast<double>(n) / kCurveSteps,
+                       samples.at[samples.count++]);
     return thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples);
 }
 
 bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const PathLimits& drives,
                      Ceilings& c) {
-    constexpr std::size_t kSteps = 12;
     Samples samples;
-    for (std::size_t n = 0; n <= kSteps; ++n)
-        if (!drive_derivatives_at(r, &kinematics, r.length * static_cast<double>(n) / kSteps,
+    for (std::size_t n = 0; n <= kTransformedSteps; ++n)
+        if (!drive_derivatives_at(r, &kinematics,
+                                  r.length * static_cast<double>(n) / kTransformedSteps,
                                   samples.at[samples.count++]))
             return false;
     const bool rapid = (r.flags & kRapid) != 0, thread = (r.flags & kThread) != 0;
