@@ -30,7 +30,7 @@ bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins,
     }
     // rotary axes count as if degrees were millimetres: only ever too careful
     step = std::sqrt(step);
-    constexpr double kStraightOn = 1e-9;
+    constexpr double kStraightOn = 1e-9;  // of a unit tangent
     if (begins && step < kStraightOn) return false;
     if (step > 2 * std::sin(std::min(limits.square_turn, std::numbers::pi) / 2)) return false;
     const double shorter = std::min(a.length, b.length);
@@ -224,16 +224,23 @@ double SplineRun::interval(std::ptrdiff_t i) const {
     return interval_[static_cast<std::size_t>(i)];
 }
 
+// How many spans are kept before what is behind is dropped: seldom, for it moves what remains.
+static constexpr std::size_t kDropAt = 64;
+// Halvings of a piece whose parameter does not fit: 32 pieces.
+static constexpr int kDeepestCut = 5;
+
 void SplineRun::make_spans(bool all) {
     const std::size_t known = control_.size();
     // when all are known: up to the last vertex
     for (; next_used_ + 2 < known; ++next_used_) place_used(next_used_);
+    // a span is made of the controls from one before to two behind it, and the place of each of
+    // those asks for its neighbours
     while (next_span_ + (all ? 2 : 4) < known) {
         make_span(next_span_, all && next_span_ + 3 == known);
         ++next_span_;
     }
     // Two controls before the next span are still needed, and no vertex before its own.
-    if (next_span_ > 64) {
+    if (next_span_ > kDropAt) {
         const std::size_t drop = next_span_ - 3;
         const std::size_t vertices = control_[next_span_ - 1].vertex - dropped_;
         control_.erase(control_.begin(), control_.begin() + static_cast<std::ptrdiff_t>(drop));
@@ -251,6 +258,8 @@ void SplineRun::make_span(std::size_t i, bool last_span) {
                  c = interval(at_i + 1), e = interval(at_i + 2);
     const SplinePoint &p0 = control_[i - 1].used, &p1 = control_[i].used,
                       &p2 = control_[i + 1].used, &p3 = control_[i + 2].used;
+    // The span of a cubic B-spline over the knot intervals z a b c e as a Bezier curve: b1, b2 lie
+    // on the leg p1 p2 at its thirds by intervals, b0 and b3 where the legs before and behind join.
     Cubic cubic{};
     for (std::size_t k = 0; k < axes_; ++k) {
         const double b1 = ((b + c) * p1[k] + a * p2[k]) / (a + b + c),
@@ -284,7 +293,7 @@ void SplineRun::add_piece(const Cubic& cubic, double from, double to, Piece piec
         piece.curve.position[k] = part_of(cubic[k], from, to - from);
     // The last cut is taken as it is: the axes' ceilings come from the true derivatives, only the
     // feed is off a little.
-    if (fit_parameter(axes_, measured_, piece.curve) || depth == 5) {
+    if (fit_parameter(axes_, measured_, piece.curve) || depth == kDeepestCut) {
         ready_.push_back(piece);
         return;
     }
