@@ -24,6 +24,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn {
 
 // Producer's half.
@@ -62,8 +64,10 @@ public:
         }
         return &half_->slot(head);
     }
-    // P1
+    // P1. Behind a claim() that gave a slot.
     void commit() noexcept {
+        PT_ASSERT(half_->head.load(std::memory_order_relaxed) - seen_ < Half::capacity,
+                  "I1 head <= tail + kCapacity");
         half_->head.store(half_->head.load(std::memory_order_relaxed) + 1,
                           std::memory_order_release);
     }
@@ -104,8 +108,9 @@ public:
         }
         return &half_->slot(tail);
     }
-    // P2
+    // P2. Behind a front() that gave a record.
     void pop() noexcept {
+        PT_ASSERT(tail_->tail.load(std::memory_order_relaxed) < seen_, "I1 tail <= head");
         tail_->tail.store(tail_->tail.load(std::memory_order_relaxed) + 1,
                           std::memory_order_release);
     }

@@ -1,5 +1,7 @@
 #include "kernel/motion/braking.hpp"
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn::kernel {
 namespace {
 
@@ -625,7 +627,10 @@ void Braking::find(Road& road, const PathState& from, bool obey, const Aim* aim)
         strict = attempt == 0 ? refused_ : 0;
     }
     duration_ = aim_time_ = 0;
+    PT_ASSERT(!possible_ || (at_[count_].v == 0 && at_[count_].a == 0), "I1 it ends at rest");
+    PT_ASSERT(!possible_ || end() <= road.end(), "I2 it ends on the road");
     for (std::uint32_t i = 0; i < count_; ++i) {
+        PT_ASSERT(time_[i] >= 0, "I3 no piece takes less than nothing");
         duration_ += time_[i];
         if (i + 1 == arrival_) aim_time_ = duration_;
     }

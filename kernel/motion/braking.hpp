@@ -23,6 +23,11 @@
 //            little acceleration. If one refuses, p is lowered in time there and behind: it takes
 //            the way no less time than at the present speed. Then everywhere, and earlier.
 //
+// Invariants of a braking that is possible()
+//   I1  It ends at rest, v = 0 and a = 0.
+//   I2  It ends no farther than the road does.
+//   I3  Its pieces follow each other in time: none takes less than nothing.
+//
 // Right     Every piece is within the limits of its stretch, and every stretch is entered below its
 //           ceiling, or possible() is false. So a braking that was possible once can be followed to
 //           its end whatever else comes into view.

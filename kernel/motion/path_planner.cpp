@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn::kernel {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -73,6 +75,7 @@ void PathPlanner::append(const PlannedRecord& record) noexcept {
     }
     add_to_group(end_);
     ++end_;
+    PT_ASSERT(first_ < end_ && end_ - first_ < kPlannerWindow, "I1 the window holds its records");
     ++appended_;
 }
 
@@ -264,6 +267,8 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
         }
         if (at_rest() && !done_ && input.hold) step.stands = Stands::Held;
     }
+    PT_ASSERT(state_.v >= 0, "I2 the path never goes backwards");
+    PT_ASSERT(promise_time_ < 0 || promise_.possible(), "I3 what is promised was possible");
     step.record = first_;
     step.s = state_.s;
     step.speed = state_.v;

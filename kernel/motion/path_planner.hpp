@@ -21,6 +21,10 @@
 // with stop_before false; they are reported as ended like any other record. A flying wait is
 // appended with stop_before and let_pass() once its partners are there; nothing ever turns from
 // passing to stopping.
+// Invariants
+//   I1  Records [first, end) are in the window, fewer than it has slots.
+//   I2  The path never goes backwards: speed >= 0 behind every tick.
+//   I3  What is promised is a braking that was possible.
 // How it works, why it is right and what is weak: path_decision.cpp.
 #pragma once
 #include <array>
