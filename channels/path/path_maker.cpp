@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "channels/path/quintic.hpp"
+#include "ipc/diagnosis/assert.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -71,7 +72,7 @@ double useful_speed(const PathRecord& r, double ceiling) {
                : ceiling;
 }
 
-// Below this turn a blend is always worth it.
+// rad: below this turn a blend is always worth it.
 constexpr double kStopMayBeFaster = 0.2;
 
 }  // namespace
@@ -142,6 +143,7 @@ void PathMaker::flush() {
         chain_.clear();
     }
     put_between(number_);
+    PT_ASSERT(chain_.empty() && between_.empty(), "I3 all go out before flush() returns");
 }
 
 void PathMaker::discard() {
@@ -170,16 +172,17 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
 // What the program wants; how fast its spindle turns is not known here but for threads, so a usual
 // speed is taken.
 double PathMaker::wanted_speed(const PathRecord& r) const {
-    constexpr double kUsualRevS = 1000.0 / 60;
+    constexpr double kUsualRevS = 1000.0 / 60;  // 1000 rpm
+    constexpr double kNoFeed = 1.0;             // mm/s, where none is programmed
     switch (static_cast<FeedMode>(r.feed_mode)) {
         case FeedMode::PerMinute:
-            return r.feed > 0 ? r.feed : 1.0;
+            return r.feed > 0 ? r.feed : kNoFeed;
         case FeedMode::PerRevolution:
-            return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
+            return r.feed > 0 ? r.feed * kUsualRevS : kNoFeed;
         case FeedMode::Thread: {
             const double lead = std::max(
                 r.lead, std::sqrt(std::max(0.0, r.lead * r.lead + 2 * r.lead_change * r.length)));
-            return lead > 0 ? lead * (thread_rev_s_ > 0 ? thread_rev_s_ : kUsualRevS) : 1.0;
+            return lead > 0 ? lead * (thread_rev_s_ > 0 ? thread_rev_s_ : kUsualRevS) : kNoFeed;
         }
         default:
             return std::numeric_limits<double>::infinity();
@@ -189,11 +192,12 @@ double PathMaker::wanted_speed(const PathRecord& r) const {
 // N0422: how far from its end a rapid move is when, braking, all its axes have come below their
 // share of rapid traverse.
 double PathMaker::overlap_way(const Kept& of) const {
+    constexpr double kStill = 1e-9;  // of the path: an axis that does less does not move
     double speed = of.ceilings.v;
     for (std::size_t k = 0; k < of.move.axis_count; ++k) {
         const double t = std::abs(of.move.end[k] - of.move.start[k]) / of.move.length;
         const PathAxis& axis = limits_->axis[of.move.axis[k]];
-        if (t > 1e-9) speed = std::min(speed, axis.overlap * axis.rapid / t);
+        if (t > kStill) speed = std::min(speed, axis.overlap * axis.rapid / t);
     }
     const double a = of.ceilings.a, j = of.ceilings.j;
     const double time = speed < a * a / j ? 2 * std::sqrt(speed / j) : speed / a + a / j;
@@ -309,6 +313,10 @@ Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, do
 // from V to w in time T takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a
 // blend also its own length at its own speed.
 bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
+    // The speed to be reached is found by steps of a fifth, near enough to compare two times; 60 of
+    // them are six decades.
+    constexpr double kDown = 0.8;
+    constexpr int kDowns = 60;
     double length = 0;
     const double through = std::min(rules.v, through_blend(a, b, length));
     double by_stop = 0, by_blend = 0;
@@ -319,7 +327,8 @@ bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rul
         };
         // What this move can reach from standstill in half its length: 0 to V takes V/2 time(V).
         double top = std::min(c.v, wanted_speed(side->move));
-        for (int n = 0; n < 60 && 0.5 * top * time(top) > 0.5 * side->move.length; ++n) top *= 0.8;
+        for (int n = 0; n < kDowns && 0.5 * top * time(top) > 0.5 * side->move.length; ++n)
+            top *= kDown;
         const double step = std::max(0.0, top - through);
         by_stop += 0.5 * time(top);
         by_blend +=
