@@ -75,6 +75,39 @@ double dot(const Frame& f, const Values& a, const Values& b) {
 }
 double norm(const Frame& f, const Values& a) { return std::sqrt(dot(f, a, a)); }
 
+// Terms of the series (1), and the size below which another one changes no digit.
+constexpr int kSeriesTerms = 12;
+constexpr double kSeriesEnd = 1e-17;
+// 1/mm and of a unit tangent: two sides that differ by less are the same.
+constexpr double kSameBend = 1e-9, kSameTangent = 1e-9;
+// rad: below, the values of the limit T -> 0 hold to 1e-9.
+constexpr double kSmallTurn = 1e-4;
+
+// A quintic over u in 0..1 in its middle, as the combination of position p, dp/du and d2p/du2 at
+// the ends 0 and 1:
+//     p    = (p0 + p1)/2 + 5/32 (p0' - p1') + (p0" + p1")/64
+//     p'   = 15/8 (p1 - p0) - 7/16 (p0' + p1') + (p1" - p0")/32
+//     p"   = 3/2 (p1' - p0') - (p0" + p1")/4
+constexpr double kMiddleTangents = 5.0 / 32, kMiddleBends = 64;  // divided by the latter
+constexpr double kSlopeEnds = 1.875, kSlopeTangents = 0.4375, kSlopeBends = 32;
+constexpr double kBendTangents = 1.5, kBendBends = 0.25;
+
+// Of the tolerance: the first trial stays below it, for a quintic is not quite the clothoid.
+constexpr double kFirstTrial = 0.98;
+// A change of curvature k within a trim d leads 0.006 k d^2 away, as chosen for the first trial.
+constexpr double kBendDeviation = 0.006;
+// Another trial aims at this much of the tolerance, ...
+constexpr double kNextTrial = 0.95;
+// ... changes the trim by no less and no more than this, for it goes with a power between 1 and 2
+// ...
+constexpr double kTrialLeast = 0.3, kTrialMost = 0.95;
+constexpr int kTrials = 6;  // ... and so often.
+// A longer trim is worth nothing where the axes could go on faster: of their acceleration and jerk
+// the part that a blend is given, the factor of its steepest place (see the header's weakness), and
+// mm: not shorter than this many of the shortest.
+constexpr double kBlendShare = 0.15, kSteepest = 2.25, kCurvedShare = 1.6;
+constexpr double kUsefulShortest = 100;
+
 // Series (1) of the header.
 struct Clothoid {
     double trim, deviation;  // for halves of length 1
@@ -82,7 +115,7 @@ struct Clothoid {
 Clothoid clothoid(double turn) {
     const double h = 0.5 * turn, h2 = h * h;
     double x = 0, y = 0, term = 1;  // term: (-h2)^n / (2n)!
-    for (int n = 0; n < 12 && std::abs(term) > 1e-17; ++n) {
+    for (int n = 0; n < kSeriesTerms && std::abs(term) > kSeriesEnd; ++n) {
         x += term / (4 * n + 1);
         y += term * h / ((2 * n + 1) * (4.0 * n + 3));
         term *= -h2 / ((2.0 * n + 1) * (2 * n + 2));
@@ -116,12 +149,13 @@ Halves build(const PathRecord& a, const PathRecord& b, const Frame& f, const Cor
                      e1 = end.p[k] - (c.before.p[k] + trim * c.after.t[k]);
         const double g0 = begin.t[k] - c.before.t[k], g1 = end.t[k] - c.after.t[k];
         middle.p[k] = c.before.p[k] + l * c.offset_ratio * c.turn[k] + 0.5 * (e0 + e1) +
-                      5.0 / 32 * whole * (g0 - g1) + whole * whole / 64 * (begin.k[k] + end.k[k]);
+                      kMiddleTangents * whole * (g0 - g1) +
+                      whole * whole / kMiddleBends * (begin.k[k] + end.k[k]);
         middle.t[k] = 0.5 * (c.before.t[k] + c.after.t[k]) * c.trim_ratio +
-                      1.875 * (e1 - e0) / whole - 0.4375 * (g0 + g1) +
-                      whole / 32 * (end.k[k] - begin.k[k]);
-        middle.k[k] =
-            c.bend_ratio * c.turn[k] / l + 1.5 * (g1 - g0) / whole - 0.25 * (begin.k[k] + end.k[k]);
+                      kSlopeEnds * (e1 - e0) / whole - kSlopeTangents * (g0 + g1) +
+                      whole / kSlopeBends * (end.k[k] - begin.k[k]);
+        middle.k[k] = c.bend_ratio * c.turn[k] / l + kBendTangents * (g1 - g0) / whole -
+                      kBendBends * (begin.k[k] + end.k[k]);
     }
     // Unit speed in the middle, curvature across it.
     const double speed = norm(f, middle.t);
@@ -155,7 +189,7 @@ double deviation(const PathRecord& a, const PathRecord& b, const Frame& f, const
         }
         worst = std::max(worst, norm(f, apart));
     };
-    for (double u : {0.2, 0.4, 0.6, 0.8, 1.0})
+    for (double u : {0.2, 0.4, 0.6, 0.8, 1.0})  // the middle of the blend is the first half's
         look(halves.first.data(), u, a, a.length - trim + u * trim, false);
     for (double u : {0.2, 0.4, 0.6, 0.8}) look(halves.second.data(), u, b, u * trim, true);
     return worst;
@@ -189,9 +223,9 @@ double useful_trim(const Frame& f, const Corner& c, double speed, const PathLimi
     for (std::size_t k = 0; k < f.count; ++k) {
         const PathAxis& axis = limits.axis[f.axis[k]];
         const double turn = std::abs(c.turn[k]), bend = std::abs(c.after.k[k] - c.before.k[k]);
-        trim = std::max({trim, turn * v2 / (0.15 * axis.accel),
-                         std::sqrt(turn * v3 / (0.15 * axis.jerk)),
-                         2.25 * bend * v3 / (1.6 * axis.jerk)});
+        trim = std::max({trim, turn * v2 / (kBlendShare * axis.accel),
+                         std::sqrt(turn * v3 / (kBlendShare * axis.jerk)),
+                         kSteepest * bend * v3 / (kCurvedShare * axis.jerk)});
     }
     return trim * c.trim_ratio;
 }
@@ -223,16 +257,16 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
         step = std::max(step, change);
         if (!f.measured[k]) side_step = std::max(side_step, change);
         bend = std::max(bend, curve);
-        if (curve > 1e-9 && std::isfinite(limits.axis[f.axis[k]].jerk)) jerk_limited = true;
+        if (curve > kSameBend && std::isfinite(limits.axis[f.axis[k]].jerk)) jerk_limited = true;
     }
-    const bool straight = step < 1e-9;
+    const bool straight = step < kSameTangent;
     if (straight && !jerk_limited) return Junction::Smooth;
     if (!(limits.tolerance > 0)) return Junction::Stop;
 
     const double size = norm(f, c.turn);
     c.angle = 2 * std::asin(std::min(1.0, 0.5 * size));
     if (c.angle > kSharpestTurn) return Junction::Stop;
-    if (c.angle > 1e-4) {  // below, the values of the limit T -> 0 hold to 1e-9
+    if (c.angle > kSmallTurn) {
         const Clothoid unit = clothoid(c.angle);
         c.trim_ratio = unit.trim;
         c.offset_ratio = unit.deviation / size;
@@ -240,12 +274,13 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
     }
 
     // The longest trim within tolerance and room.
-    const double tolerance = 0.98 * limits.tolerance;
+    const double tolerance = kFirstTrial * limits.tolerance;
     double trim = std::min(room_before, room_after);
     const double apart = std::max(size, side_step) * c.offset_ratio / c.trim_ratio;
     if (apart > 0) trim = std::min(trim, tolerance / apart);
-    if (bend > 0) trim = std::min(trim, std::sqrt(tolerance / (0.006 * bend)));
-    trim = std::min(trim, std::max(useful_trim(f, c, speed, limits), 100 * kShortestTrim));
+    if (bend > 0) trim = std::min(trim, std::sqrt(tolerance / (kBendDeviation * bend)));
+    trim =
+        std::min(trim, std::max(useful_trim(f, c, speed, limits), kUsefulShortest * kShortestTrim));
     const bool lines = static_cast<RecordKind>(a.kind) == RecordKind::Line &&
                        static_cast<RecordKind>(b.kind) == RecordKind::Line;
     Halves halves;
@@ -256,8 +291,8 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
         const double off = deviation(a, b, f, halves, trim);
         blend.count = 0;
         if (off <= limits.tolerance) break;
-        if (trial == 6) return Junction::Stop;
-        trim *= std::clamp(0.95 * limits.tolerance / off, 0.3, 0.95);
+        if (trial == kTrials) return Junction::Stop;
+        trim *= std::clamp(kNextTrial * limits.tolerance / off, kTrialLeast, kTrialMost);
     }
     blend.count = 0;
     if (!add_half(f, halves.first, blend)) return Junction::Stop;
