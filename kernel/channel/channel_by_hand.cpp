@@ -1,6 +1,6 @@
-// Blocks by hand: the list of those entered, and the keys whose label is a start. Entering moves
-// nothing; a start takes what was entered before it, line by line, in single block one line each;
-// in a hold each start takes one line.
+// MDI blocks: the list of those entered, and the keys whose label is a start. Entering moves
+// nothing; a start takes the blocks entered before it, line by line, in single block one line each.
+// In a hold each start takes one line.
 #include <utility>
 
 #include "kernel/channel/channel_runner.hpp"

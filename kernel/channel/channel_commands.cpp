@@ -8,7 +8,7 @@
 namespace polyturn::kernel {
 
 namespace {
-// Both are there, and yet it is no meeting.
+// Both are there, and yet it is no rendezvous.
 std::string_view why_unlike(WaitBoard::Kind one, WaitBoard::Kind other) noexcept {
     using Kind = WaitBoard::Kind;
     if (one == Kind::Search || other == Kind::Search) return ", one of the two restarts";
@@ -154,7 +154,7 @@ void ChannelRunner::go_on(StartPermit permit) noexcept {
 
 void ChannelRunner::dialogue_value(double value, std::string_view variable) noexcept {
     const bool asks = state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Dialogue;
-    // of the outbox, for the key and what a tick tells besides
+    // of the outbox, for the key and what a tick reports besides
     constexpr std::size_t kKeptFree = 4;
     if (!asks)
         core_.alarm(Alarm::NotReady, number_, "no dialogue of the program is open");
@@ -275,7 +275,7 @@ void ChannelRunner::safe_hold() noexcept {
 void ChannelRunner::reset() noexcept {
     if (!segment_) return;
     cut_off_ = restart_refused_ = false;
-    if (dead_ || stopped_) {  // nothing to tell anybody; a successor attaches in reset state
+    if (dead_ || stopped_) {  // nothing to report; a successor attaches in reset state
         alarm_ = false;
         return;
     }
@@ -388,7 +388,7 @@ void ChannelRunner::process_died(Alarm reason, std::string_view detail) noexcept
     // limit_ is what was visible at this tick: records beyond the horizon do not exist.
     dead_ = true;
     alarm_ = true;
-    // what its program has put off, nobody would put on again: a spindle that still turns obeys the
+    // its program is gone and cannot restore the override: a spindle that still turns obeys the
     // override
     control_ = 0;
     rest_reported_ = false;
@@ -437,18 +437,18 @@ WaitBoard::Standing ChannelRunner::standing() const noexcept {
             (keys & kKeyDryRun) != 0, over && !cut_off_};
 }
 
-// What leads it to its codes: a search of a restart and a block entered by hand meet nobody who
-// cuts.
+// It executes blocks towards its target: during a block search, or a block entered by hand, it does
+// not rendezvous with channels that cut.
 WaitBoard::Phase ChannelRunner::wait_phase() const noexcept {
     if (restart_ == RestartState::Searching) return {WaitBoard::Kind::Search, restart_group_};
     return {mode_ == ChannelMode::Mdi || held_mdi_ ? WaitBoard::Kind::ByHand : WaitBoard::Kind::Cut,
             0};
 }
 
-// Of those that still wait when all meetings of this tick have taken place.
+// Of those that still wait after all rendezvous of this tick.
 void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
-    // Its partner has stopped between letting it pass and its coming: it stands as soon as it can,
-    // and waits there.
+    // Its partner stopped between releasing this channel and its arrival: the channel stops as soon
+    // as it can and waits there.
     if (std::exchange(passing_, false)) {
         owes_rendezvous_ = true;
         wait_since_ = core_.tick;

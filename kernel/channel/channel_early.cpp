@@ -39,7 +39,7 @@ std::optional<double> ChannelRunner::cut_begins_at(std::uint32_t axis) const noe
     while (!(record(last).flags & kBlockEnd) && last + 1 < end && is_motion(record(last + 1)))
         ++last;
     std::uint64_t next = last + 1;
-    // what is only told in passing
+    // what is only reported
     while (next < end && !is_motion(record(next)) && !stops_path(record(next))) ++next;
     if (next >= end || !is_motion(record(next)) || (record(next).flags & kRapid))
         return std::nullopt;
@@ -51,8 +51,8 @@ std::optional<double> ChannelRunner::cut_begins_at(std::uint32_t axis) const noe
     return std::nullopt;
 }
 
-// What may begin while the rapid move in front of it is still driven: a code of its own block that
-// stands behind that block's end.
+// What may begin while the rapid move before it is still driven: a code of its own block that comes
+// after that block's end.
 bool ChannelRunner::starts_in_rapid() noexcept {
     constexpr std::uint32_t kWhole = kRapid | kBlockEnd,
                             kNever = kInPosition | kSkipMove | kFixedStop | kReference | kThread;
@@ -88,11 +88,11 @@ void ChannelRunner::begin_function_early() noexcept {
     strobe(next);
 }
 
-// A T turns the turret while the axes still move. With protection on the whole circle of its tools
-// must be free, from here to the end of the move, for it may be held anywhere on it; without
-// protection ROL is the setter's word that it is. Where the store is asked which tool is meant, it
-// is asked as long before that its answer is there in time; a refusal is told when the path has
-// come to the T.
+// A T turns the turret while the axes still move. With protection on, the whole circle of the
+// turret's tools must be free from here to the end of the move, because the turret may be held
+// anywhere on it. Without protection, ROL is the setter's confirmation that it is free. If the
+// store must be asked which tool is meant, it is asked early enough for the answer to be there in
+// time; a refusal is reported when the path has come to the T.
 bool ChannelRunner::tool_may_begin(const PathRecord& r, const PathRecord& tool,
                                    double until) noexcept {
     if (ToolClient::managed(core_)) {

@@ -15,8 +15,8 @@ ChannelRunner::Place ChannelRunner::place_now() const noexcept {
     return {r.serial, r.part, within || (last_serial_ == r.serial && last_part_ == r.part)};
 }
 
-// At an M01 whose key came after it was read: what is behind it was read ahead, and the program
-// goes on there.
+// At an M01 whose key was set after the block was read: the blocks behind it have been read ahead,
+// and the program continues there.
 bool ChannelRunner::is_at_late_stop() const noexcept {
     return state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::M01 &&
            phase_ == Phase::Stopped && cursor_ < visible_end_ && !(record(cursor_).flags & kDrains);
@@ -33,7 +33,8 @@ std::uint64_t ChannelRunner::first_not_begun() const noexcept {
     return begun ? at.serial + 1 : at.serial;
 }
 
-// At a place where what was pushed may be taken back: no function, wait or thread is under way.
+// At a position from which pushed records may be taken back: no function, wait or thread is under
+// way.
 bool ChannelRunner::rests_in_hold() const noexcept {
     if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ ||
         owes_rendezvous_ || !at_rest() || retract_.active() || trail_.active())
@@ -133,7 +134,7 @@ void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
     const bool stopped = phase_ == Phase::Stopped;  // at an M01
     if ((place.begun || stopped) && cursor_ < visible_end_)
         report(KernelEventKind::RecordEnd, record(cursor_), 0);
-    // no way back over it
+    // not retraceable
     if (stopped && cursor_ < visible_end_) trail_.add(record(cursor_), 0, 0);
     // nothing moves before a start
     if (stopped) {

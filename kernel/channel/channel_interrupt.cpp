@@ -11,8 +11,8 @@
 namespace polyturn::kernel {
 namespace {
 
-// Of a record that acts ahead of its place: what stands before it, the rest of the running block,
-// has still to begin, and its events are not out of date.
+// Of a record that acts ahead of its position: what comes before it, the rest of the running block,
+// has still to begin, and its events are still valid.
 void hand_over_event(Core& core, unsigned channel, const PathRecord& r) noexcept {
     if (r.note == 0) return;
     KernelEvent* event = core.log.claim(KernelEventKind::RecordBegin, channel, core.tick, 0);
@@ -65,7 +65,7 @@ void ChannelRunner::watch_interrupt() noexcept {
 }
 
 // Macro statements of the interrupt program act at once though the block is driven to its end
-// (fanuc_lathe 6.14): the channel is told as soon as it is known what comes behind the block.
+// (fanuc_lathe 6.14): the channel is notified as soon as it is known what follows the block.
 void ChannelRunner::announce_interrupt() noexcept {
     if (cursor_ >= visible_end_ || outbox_count_ == outbox_.size()) return;
     const std::uint64_t running = record(cursor_).serial;

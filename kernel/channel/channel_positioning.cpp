@@ -1,6 +1,6 @@
-// What a program starts beside its path and later waits for: positioning axes, positioned spindles;
-// torque limits for fixed stops; reference points that a program finds (G28). And the room that a
-// path leaves to a superposed handwheel.
+// Asynchronous motion that a program starts and later waits for: positioning axes, positioned
+// spindles; torque limits for fixed stops; reference points that a program finds (G28). Also the
+// share of the axis limits that a path leaves to a superposed handwheel.
 #include <algorithm>
 #include <cmath>
 
@@ -113,7 +113,7 @@ void ChannelRunner::run_steps() noexcept {
     for (int k = 0; k < kMostInATick; ++k) {
         const PositioningTask* const task = positioning_program_.now();
         if (!task || !step_done(*task)) return;
-        // a move's is told by the axis
+        // a move's is reported by the axis
         if (task->note && task->what != PositioningStep::Move)
             report_step(KernelEventKind::RecordEnd, *task);
         positioning_program_.next();
@@ -199,7 +199,7 @@ bool ChannelRunner::holds_positioning() const noexcept {
 }
 
 // Axes rest at their targets; spindles are in position, or have the speed or the standstill that
-// they were told.
+// they were commanded.
 bool ChannelRunner::await(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (r.axis[i] < kMaxAxes) {
@@ -228,15 +228,15 @@ bool ChannelRunner::await(const PathRecord& r) noexcept {
     return true;
 }
 
-// A limit acts at once. Taken away, the command comes back to where the slide stands, and that is
-// waited for.
+// A limit acts at once. When it is removed, the command returns to the slide's actual position, and
+// the program waits for that.
 bool ChannelRunner::limit_torque(const PathRecord& r) noexcept {
     if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return true;
     const std::uint32_t a = r.axis[0];
     if (phase_ != Phase::Released) {
         core_.program_torque[a] = static_cast<std::uint16_t>(std::clamp(r.value, 0.0, 1000.0));
         core_.program_window[a] = r.value > 0 ? r.shape[0] : 0.0;
-        // a new window is around where it stands
+        // a new window is around its position
         if (core_.axes[a].pressing && r.shape[0] > 0)
             core_.axes[a].pressed_at = core_.axes[a].measured();
         if (r.value > 0) return true;

@@ -1,4 +1,4 @@
-// A channel's process that sends what cannot be (record_inbox.hpp), or leads an axis beyond its
+// A channel's process that sends invalid records (record_inbox.hpp), or leads an axis beyond its
 // limits: its path comes to rest, the channel is out of work by name, and the others go on or stop
 // as after its death (PT_PARTNER_DEATH).
 #include "kernel/channel/channel_runner.hpp"
@@ -33,9 +33,9 @@ void ChannelRunner::turn_away() noexcept {
     process_died(Alarm::ChannelHostile, text.view());
 }
 
-// Whatever records say of speeds: no axis is told more than it can do. One that would be is told to
-// brake, with all that the path moves. A loop that is open has no command; a withdrawal from a
-// thread adds its own way, within limits of its own.
+// Whatever speed the records ask for, no axis is commanded beyond its limits. An axis that would be
+// brakes, with all that the path moves. An open loop has no command; a withdrawal from a thread
+// adds its own travel, within limits of its own.
 void ChannelRunner::watch_commands() noexcept {
     if (retract_.active() || (keys & kKeyMachineLock)) return;
     MovedAxes moved = placed_;
@@ -65,7 +65,7 @@ bool ChannelRunner::brake_axes() noexcept {
     return moves;
 }
 
-// The path is left for good: nobody can say where on it the axes are.
+// The path is given up: the axes' position on it is unknown.
 void ChannelRunner::brake_off_path() noexcept {
     planner_->clear(cursor_);
     thread_moving_ = thread_committed_ = false;

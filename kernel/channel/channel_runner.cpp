@@ -63,7 +63,7 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     control_ = 0;  // a predecessor's program put off what the operator's switches do
     lines_.broken_off();
     hand_ = {};
-    selected_ = false;  // it knows none of what its predecessor was told
+    selected_ = false;  // it knows nothing of its predecessor's commands
     broken_off_ = 0;
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::None;
@@ -152,8 +152,8 @@ bool ChannelRunner::supplied() noexcept {
 
 // Marks of the PLC that are keys of the operator (Fagor: BLKSKIP1 to BLKSKIP3, M01STOP, M5008).
 void ChannelRunner::take_keys() noexcept {
-    // Machine lock changes while no program runs: an axis that is locked on its way would stop, one
-    // that is freed behind its path would jump.
+    // Machine lock changes only while no program runs: a moving axis that is locked would stop, one
+    // that is unlocked away from its path would jump.
     const std::uint32_t lock =
         program_runs() || moving_ ? keys & kKeyMachineLock : pressed_keys & kKeyMachineLock;
     keys = (pressed_keys & ~static_cast<std::uint32_t>(kKeyMachineLock)) | lock;
@@ -169,7 +169,7 @@ void ChannelRunner::take_keys() noexcept {
     if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
-// Whether single block stands behind a record. What follows of its block belongs to it (M3 S500 G1
+// Whether single block stops behind a record. What follows of its block belongs to it (M3 S500 G1
 // Z-1. is one block), except the next move: a cycle is driven move by move. A macro statement is no
 // block (fanuc_lathe 6.7), nor is what a program says beside its path: that it puts single block
 // off, for one.
@@ -237,7 +237,7 @@ void ChannelRunner::judge_stroke_anew() noexcept {
     } else if (planner_->next_record() != cursor_ || !at_rest()) {
         return;
     }
-    // nothing is planned: the axes stand where they are
+    // nothing is planned: the axes are at standstill
     core_.stroke.places_now(core_, index_, cut_.places);
     cut_.places_known = true;
     if (planner_->next_record() == cursor_ && cut_.record < cursor_) cut_.record = kNoRecord;
@@ -412,8 +412,8 @@ void ChannelRunner::drive() noexcept {
     watch_standstill(&r);
 }
 
-// The partners of a wait that it was let pass have stopped before it has come there: the path comes
-// to rest, and stands at the wait if that lies in front of it still; if not, behind it
+// The partners of a wait have stopped after they released this channel and before it has come
+// there: the path comes to rest, at the wait if that still lies ahead, else behind it
 // (after_waits).
 bool ChannelRunner::flies_unmet() noexcept {
     if (let_pass_ == kNoRecord) return false;
@@ -480,7 +480,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         axis.tap_with(tap_gain, tap_gain > 0 && r.value != 0);
         if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached &&
             r.axis[i] != limited_axis_) {
-            // lost on the way
+            // lost in transit
             if (!axis.referenced && !interrupted_ && core_.must_be_referenced(r.axis[i]) &&
                 std::fabs(position[i] - axis.command()) > kMoves) {
                 line_ = r.line;
@@ -543,8 +543,8 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
         report(KernelEventKind::RecordBegin, r, offset_s);
 }
 
-// An M01 whose key is off when the machine comes to it: nothing stops, nothing is told. A key that
-// is switched while the machine stands there changes nothing any more.
+// An M01 whose key is off when the machine comes to it: no stop, no report. Switching the key while
+// the machine is at the M01 has no effect any more.
 bool ChannelRunner::is_optional_stop(const PathRecord& r) noexcept {
     return static_cast<RecordKind>(r.kind) == RecordKind::Stop &&
            static_cast<StopReason>(r.code) == StopReason::M01;
@@ -552,7 +552,7 @@ bool ChannelRunner::is_optional_stop(const PathRecord& r) noexcept {
 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
     const auto kind = static_cast<RecordKind>(r.kind);
-    // what follows may stand: an M code that takes another limit away
+    // what follows may be needed: an M code that removes another limit
     if (r.flags & kFixedStop) allow_torque(nullptr);
     const bool passed = passes_stop_ && is_optional_stop(r);
     if (kind != RecordKind::PositioningAxis && (!is_motion(r) || (r.flags & kBlockEnd)) && !passed)
@@ -564,14 +564,14 @@ void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double of
     if (ends_with_part_ && (r.flags & kDrains)) resetting_ = true;
     last_serial_ = r.serial;
     last_part_ = r.part;
-    // An end can be taken back; behind a stop that is passed the program may have been read anew:
-    // no way leads back over it then.
+    // An end can be taken back. Behind a stop that is passed the program may have been read anew,
+    // so retrace cannot go back over it.
     if (!(kind == RecordKind::Stop && state_ == ChannelState::Ended) &&
         (!passed || (r.flags & kDrains)))
         trail_.add(r, r.length, meeting_);
     meeting_ = 0;
     if (r.flags & kDrains) {
-        limited_axis_ = kMaxAxes;  // it takes over where its axes stand
+        limited_axis_ = kMaxAxes;  // it takes over its axes' positions
         know_positions();
         tell(ChannelEventKind::BarrierReached, index, r.value);
     }
@@ -646,7 +646,8 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.blocks = blocks_;
     status.epoch = epoch_;
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
-    // Told, not pressed: the first and the last end by themselves, the PLC may set the second one.
+    // Counted by command, not by key: the first and the last end by themselves, the PLC may set the
+    // second one.
     status.keys = keys | (stop_after_part_ ? kKeyStopAfterPart : 0u) |
                   (core_.signals.plc(signals::cp_nowt(number_)) ? kKeyIgnoreWaits : 0u) |
                   (retrace_ < 0 ? kKeyRetrace : 0u);

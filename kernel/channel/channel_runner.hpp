@@ -1,13 +1,13 @@
 // Executes the records of one channel, in ring order (architecture 5): motion through the planner,
-// everything else at the standstill or the instant between two moves that its place in the ring
-// means.
+// everything else at standstill or at the instant between two moves where the record lies in the
+// ring.
 //
 //   ring   ... | done | running | planned ...      | seen, not planned | not to be used this tick |
 //              tail ^ (published)   planner.next_record() ^      visible_end_ ^          head ^
 //
-// A tick: supply() shows the planner what is visible (at most the horizon: PT_HORIZON), run()
-// executes what stands at a boundary, drives the path, reports what began and ended. Waits are
-// released by the machine between the channels' runs.
+// A tick: supply() shows the planner what is visible (at most the horizon: PT_HORIZON); run()
+// executes the record at the boundary, drives the path and reports what began and ended. The
+// machine releases waits between the channels' runs.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -51,15 +51,16 @@ public:
     // --- once a tick, in this order ---
     void supply() noexcept;
     void begin_function_early() noexcept;
-    // The turret turns meanwhile because this channel has told it to before its rapid move ends.
+    // The turret turns meanwhile because this channel has commanded it before the end of its rapid
+    // move.
     bool turns_in_rapid() const noexcept { return moving_rapid_ && early_ != kNoRecord; }
     void strobe(const PathRecord& r) noexcept;
     [[nodiscard]] bool starts_in_rapid() noexcept;
     bool tool_may_begin(const PathRecord& move, const PathRecord& tool, double until) noexcept;
     [[nodiscard]] std::uint64_t end_of_few_blocks(std::uint64_t most) const noexcept;
     void run() noexcept;
-    // What the board of waits must know of it (waits.hpp): its half of a meeting counts while its
-    // program runs.
+    // State that the wait board needs (waits.hpp): this channel's half of a rendezvous counts while
+    // its program runs.
     WaitBoard::Standing standing() const noexcept;
     void release_wait(Permit permit) noexcept;  // the meeting took place
     // messages and alarms of those that still wait
@@ -71,8 +72,8 @@ public:
     // --- commands, at a tick's start ---
     // only_by_hand: a block of the MDI list, or nothing
     void cycle_start(bool only_by_hand = false) noexcept;
-    // The program stands at a dialogue: a value that the operator has entered, and the key that
-    // ends it.
+    // The program waits at a dialogue: a value that the operator has entered, and the key that ends
+    // it.
     void dialogue_value(double value, std::string_view variable) noexcept;
     void dialogue_key(double key) noexcept;
     std::uint32_t check_start_conditions() noexcept;  // ChannelStatus::start_missing, now
@@ -80,8 +81,8 @@ public:
     // A start would begin something, and nothing is selected or entered: of several that start
     // together it is passed over.
     bool lacks_program_or_block() const noexcept;
-    void feed_hold() noexcept;  // the operator: a program may put it off (#3004)
-    void safe_hold() noexcept;  // a door, a dead partner: nobody puts it off
+    void feed_hold() noexcept;  // the operator: a program may suppress it (#3004)
+    void safe_hold() noexcept;  // a door, a dead partner: cannot be suppressed
     // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1;
     // `group`: their restart. False: refused.
     bool restart(double block, ChannelSet together, std::uint32_t group) noexcept;
@@ -108,18 +109,18 @@ public:
     void hand_key(std::string_view text) noexcept;
     // what runs, or is held, is no program
     bool by_hand() const noexcept { return hand_.runs != HandBlock::Of::Nobody; }
-    void set_mode(ChannelMode mode) noexcept;  // the operator's, and nobody else's
+    void set_mode(ChannelMode mode) noexcept;  // set by the operator only
     ChannelMode mode() const noexcept { return mode_; }
     void stop_after_part(bool on) noexcept { stop_after_part_ = on; }
     // channel_production.cpp: a program that repeats itself ends with its part after so many
     // seconds; 0: no warm-up.
     void warm_up(double seconds) noexcept;
-    // Axes are moved by hand in a hold; the machine keeps their way back and says when they are
-    // there.
+    // Axes are moved by hand in a hold; the machine stores the return path and reports when they
+    // are back.
     bool allow_jog_in_hold() noexcept;
     bool jogs_in_hold() const noexcept { return jog_in_hold_; }
-    // The machine moves axes off a path that rests, whatever the program stands at: it goes on when
-    // they are back.
+    // The machine moves axes off a path at standstill, whatever record the program is at; it
+    // continues when they are back.
     void step_aside() noexcept;
     bool rests() const noexcept { return !planner_ || at_rest(); }
     bool resets() const noexcept { return resetting_; }
@@ -139,8 +140,8 @@ public:
         raise(number, detail, value);
     }
     void emergency() noexcept;                     // forget the path: the axes brake by themselves
-    double feed_override = 1, rapid_override = 1;  // as the switches stand
-    // What the feed is driven with.
+    double feed_override = 1, rapid_override = 1;  // as the switches are set
+    // The effective feed override.
     // The language of what runs: of the selected program, where its job says one; a block by hand
     // is in that of the machine.
     Dialect speaks() const noexcept {
@@ -170,11 +171,11 @@ public:
     bool handwheel_blocked() const noexcept { return handwheel_blocked_; }
     void pass_waits(std::span<ChannelRunner* const> all) noexcept;
 
-    // --- axes beside the path (beside.cpp), superposed handwheel (superpose.cpp) ---
+    // --- positioning axes (positioning_axis.cpp), superposed handwheel (superpose.cpp) ---
     // of an axis' limits, that a path leaves to a superposed handwheel
     static constexpr double kOverlayShare = 0.2;
     bool holds_positioning() const noexcept;
-    // it moves beside the path, or its own program is not over
+    // it moves asynchronously to the path, or its own program is not over
     bool runs_positioning(std::uint32_t axis) const noexcept;
     bool has_steps(std::uint32_t axis) const noexcept { return positioning_program_.moves(axis); }
     // for its axis, where its program is about to begin
@@ -186,7 +187,7 @@ public:
     double handwheel_share() const noexcept { return handwheel_ ? handwheel_rate_ : 1.0; }
     void superpose(bool on) noexcept;
     bool superposes() const noexcept { return (pressed_keys & kKeySuperpose) != 0; }
-    // the path that is driven was planned with the wheel superposed
+    // the path that is driven was planned with the handwheel superposed
     bool leaves_room() const noexcept;
     void overlay_moves(std::uint32_t axis, bool moves) noexcept {
         if (moves)
@@ -212,13 +213,13 @@ public:
     bool start_lamp() const noexcept {
         return (state_ == ChannelState::Running || state_ == ChannelState::Waiting) && !hold_;
     }
-    // fanuc_lathe 6.3.4: nothing of the block is under way but the code that the PLC has; not where
-    // nobody waits for its end.
+    // fanuc_lathe 6.3.4: nothing of the block is in progress but the code that the PLC has; not
+    // where the program does not wait for its end.
     bool distribution_ended() const noexcept {
         return phase_ == Phase::Handshake && !unfinished_ && at_rest();
     }
     bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
-    // channel_early.cpp: rapid moves, and what stands behind them, keep the speed of constant
+    // channel_early.cpp: rapid moves, and what follows them, keep the speed of constant
     // surface speed as it is; one under way gives it the speed of the cut that follows directly,
     // which begins with this axis there.
     bool holds_surface_speed() const noexcept;
@@ -260,7 +261,7 @@ public:
 
 private:
     void strobe_end(StopReason reason) noexcept;
-    // What the record that the path stands before is doing.
+    // State of the record in front of which the path is stopped.
     enum class Phase : std::uint8_t {
         None,
         Dwell,
@@ -428,14 +429,14 @@ private:
         KernelEventKind kind, const PositioningTask& task,
         std::int32_t code = static_cast<std::int32_t>(RecordKind::PositioningAxis)) noexcept;
     PositioningProgram positioning_program_;
-    // the PLC has ended its program, and the channel does not know yet where it stands; kMaxAxes
+    // the PLC has ended its program, and the channel does not know the axis' position yet; kMaxAxes
     // none
     std::uint32_t limited_axis_ = kMaxAxes;
     bool await(const PathRecord& r) noexcept;
     bool limit_torque(const PathRecord& r) noexcept;
     bool find_reference(const PathRecord& r) noexcept;
     void release_stops() noexcept;
-    std::uint64_t superposed_from_ = 0;  // records from this one on leave room for the wheel
+    std::uint64_t superposed_from_ = 0;  // records from this one on leave limits for the handwheel
     std::uint64_t overlays_ = 0;         // axes that it moves just now
     void part_made() noexcept;
     void end_lap() noexcept;
@@ -465,13 +466,13 @@ private:
     ChannelMode mode_ = ChannelMode::Auto;
     StopReason stop_reason_ = StopReason::None;
     std::uint32_t epoch_ = 0;
-    // running record, or the one before which the path stands
+    // running record, or the one before which the path is stopped
     std::uint64_t cursor_ = 0;
-    // limit_: what a dead or stopped process had promised
+    // limit_: end of what a dead or stopped process had announced
     std::uint64_t visible_end_ = 0, limit_ = ~0ull;
-    bool at_boundary_ = true;  // the path stands and the record at cursor_ may begin
-    // The record that leads out of the stroke, how far along it the path may go, and why; judged
-    // when it is planned.
+    bool at_boundary_ = true;  // at standstill, and the record at cursor_ may begin
+    // The record that leads out of the travel limits, how far along it the path may go, and why;
+    // judged when it is planned.
     struct Cut {
         std::uint64_t record = kNoRecord;
         double s = 0;
@@ -485,11 +486,11 @@ private:
     std::uint64_t flying_ = kNoRecord;  // nearest flying wait that still stops the path
     // the one that does not, because its partners are there, and that the path has not come to yet
     std::uint64_t let_pass_ = kNoRecord;
-    // it was passed, and then they were not: the path stands behind it until they are
+    // the wait was passed before they arrived: the path is stopped behind it until they do
     bool owes_rendezvous_ = false;
     Phase phase_ = Phase::None;
     std::int32_t m_code_ = -1;
-    bool begun_ = false;        // the standing record has reported its beginning
+    bool begun_ = false;        // the stationary record has reported its beginning
     bool passes_stop_ = false;  // it is an M01 whose key was off when it began
     bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false,
@@ -503,11 +504,11 @@ private:
     bool interrupts_on_ = false, interrupt_due_ = false;
     // InterruptBit; bit n: input n + 1; those that were on at the last tick
     std::uint32_t interrupt_bits_ = 0, interrupt_inputs_ = 0, interrupt_seen_ = 0;
-    // The channel was told ahead: the question it answers (0 none), and the first record that may
-    // act at once.
+    // The channel was notified ahead: the question it answers (0 none), and the first record that
+    // may act at once.
     std::uint64_t ahead_asked_ = 0, ahead_ = kNoRecord;
     std::uint32_t control_ = 0;  // ProgramControl
-    // feed hold that did not count yet; the code before goes on beside the program
+    // feed hold that did not count yet; the code before runs asynchronously to the program
     bool hold_later_ = false, unfinished_ = false;
     std::uint32_t interrupt_input_ = 0;  // number of the input that came; 0: there is but one
     std::uint64_t last_serial_ = 0;      // block of the record that ended last
@@ -522,7 +523,7 @@ private:
     RestartState restart_ = RestartState::None;
     std::uint32_t restart_group_ = 0;  // of the search
     bool restart_complete_ = false;    // all of its group are at their blocks
-    // a start would begin the program at its first block, and nobody has meant that
+    // a start would begin the program at its first block, which was not requested
     bool restart_refused_ = false;
     std::uint64_t run_ = 0;  // grows with each start and each reset
     // its process died while a program ran: that has not come to its end, whatever a successor is
@@ -533,10 +534,10 @@ private:
     bool on_trail_ = false;  // it moves there
     bool handwheel_ = false, handwheel_blocked_ = false, handwheel_reported_ = false;
     double handwheel_rate_ = 0;
-    // from a wait at which it stood: it arrives there once more
+    // from a wait at which it waited: it arrives there once more
     bool came_back_ = false;
     std::uint64_t meeting_ = 0;             // that released the wait which ends now
-    std::uint64_t tool_shown_ = kNoRecord;  // first-part mode has stood before it
+    std::uint64_t tool_shown_ = kNoRecord;  // first-part mode has stopped before it
     MdiLines lines_;                        // entered by hand
     HandBlock hand_;
     bool selected_ = false;  // a program, in the process that is there now
@@ -558,7 +559,7 @@ private:
     std::int32_t strobe_ = 0;
     // this function has begun while the rapid move before it still brakes (N0421 ROL)
     std::uint64_t early_ = kNoRecord;
-    std::uint32_t warned_ = 0;  // partners of this wait that the operator was told about
+    std::uint32_t warned_ = 0;  // partners of this wait that were reported to the operator
     std::uint64_t events_sent_ = 0, rung_at_ = 0;
     std::int32_t resets_ = 0;
     PathStep step_{};

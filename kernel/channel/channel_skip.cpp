@@ -6,9 +6,9 @@ namespace {
 constexpr std::uint16_t kFullTorque = 1000;
 }  // namespace
 
-// A skip move (G31; with kFlying it only remembers the place) ends where its signal comes: the path
-// brakes, what is left of the record is dropped, and the channel, which stands at the barrier
-// behind it, goes on from where the axes are.
+// A skip move (G31; with kFlying it only stores the position) ends where its signal comes: the path
+// brakes, the rest of the record is dropped, and the channel, which waits at the barrier behind it,
+// continues from the axes' position.
 bool ChannelRunner::skip_signal() noexcept {
     if (cursor_ >= planner_->next_record()) {
         allow_torque(nullptr);
@@ -38,7 +38,7 @@ bool ChannelRunner::skip_signal() noexcept {
     }
     if (!by_input) return skipping_;
     const bool release = (r.flags & kSkipRelease) != 0;
-    // measured on the way: the path goes on to its end
+    // measured in motion: the path goes on to its end
     const bool passes = (r.flags & kFlying) != 0;
     if (!skipping_ && !(passes && skipped_) &&
         core_.signals.input(static_cast<std::size_t>(r.code)) != release) {

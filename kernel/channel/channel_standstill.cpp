@@ -1,6 +1,6 @@
-// Reasons for which a path stands or must not begin: spindles and drives that are not ready yet,
-// axes that are not in position, feeds that are zero; and what a channel tells the operator about
-// it.
+// Reasons for which a path is stopped or must not begin: spindles and drives that are not ready
+// yet, axes that are not in position, feeds that are zero; and what a channel reports about it to
+// the operator.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
 }
 
 // A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it
-// did not, whichever channel it stood in: a feed per revolution waits for the spindle that it
+// did not, whichever channel it was in: a feed per revolution waits for the spindle that it
 // follows. A floating tap waits in any case: at the bottom the spindle turns on inward until its
 // ramp has reversed it, and Z that left before would pull the tap out of its holder. One whose
 // speed changes all the time (constant surface speed of another channel) is only followed. 0:
@@ -59,7 +59,7 @@ bool ChannelRunner::refuses_detached(std::uint32_t spindle) noexcept {
     return true;
 }
 
-// A C axis whose drive is a spindle now: it is waited for when that stops, and refused when it
+// A C axis whose drive is a spindle now: the path waits while that stops, and is refused when it
 // turns, or when the spindle has turned the axis since the program last looked where it is.
 bool ChannelRunner::waits_for_drive() noexcept {
     if (!planner_->at_rest() || cursor_ >= planner_->next_record() || !is_motion(record(cursor_)))
@@ -92,9 +92,9 @@ void ChannelRunner::know_positions() noexcept {
             core_.shared_axes[a].displaced = false;
 }
 
-// A path that stands though a program runs: is it for a reason that the operator must be told?
+// The path is at standstill though a program runs: must the reason be reported to the operator?
 void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
-    // nothing was driven meanwhile: this stand begins now
+    // nothing was driven meanwhile: this standstill begins now
     if (core_.tick > watched_ + 1) stands_since_ = core_.tick;
     watched_ = core_.tick;
     if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
@@ -152,7 +152,7 @@ double ChannelRunner::emergency_deceleration() const noexcept {
     return least < kUnlimited ? least : 1e4;
 }
 
-// In dry run a path feed moves as fast as N0305 lets the axes of the channel go; the ceilings of
+// In dry run a path feed moves as fast as N0305 lets the axes of the channel go; the limits of
 // the records still hold.
 double ChannelRunner::dry_run_feed() const noexcept {
     double feed = 0;

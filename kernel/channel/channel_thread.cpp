@@ -65,7 +65,7 @@ bool ChannelRunner::thread_may_start(const PathRecord& r) noexcept {
     return spindle.reached();
 }
 
-// True when the thread is done and the path stands behind it.
+// True when the thread is done and the path is stopped behind it.
 bool ChannelRunner::thread(double& left) noexcept {
     if (phase_ != Phase::Thread) {
         phase_ = Phase::Thread;

@@ -1,6 +1,6 @@
 // The path driven back and forth by the operator: retrace in a hold, and a handwheel that is the
-// time of the programs of a machine group (prove-out). Both drive the trail; the channel's own
-// planner keeps its place and goes on from there.
+// time base of the programs of a machine group (prove-out). Both drive the retrace memory; the
+// channel's own planner keeps its position and continues from there.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,7 @@ namespace {
 constexpr double kOnPath = 1e-3;  // mm, degrees: further off the axes have been moved since
 }  // namespace
 
-// No function, thread or wait of a meeting is under way: the path may be left here and taken up
-// again.
+// No function, thread or rendezvous is in progress: the path may be left here and resumed.
 bool ChannelRunner::may_leave_path() const noexcept {
     if (!segment_ || !trail_.ready() || dead_ || stopped_ || interrupted_ || resetting_ ||
         jog_in_hold_ || held_mdi_ || program_left_ || retract_.active() || thread_moving_)
@@ -52,7 +51,7 @@ bool ChannelRunner::leave_path() noexcept {
 }
 
 bool ChannelRunner::axes_are_on(const PathRecord& r, double s) const noexcept {
-    // its slots are no axes; locked ones stand beside every path
+    // its slots are no axes; locked ones take no part in any path
     if (r.transform || (keys & kKeyMachineLock)) return true;
     SlotVector there;
     position_at(r, s, there);
@@ -75,7 +74,7 @@ bool ChannelRunner::start_retrace(StartPermit) noexcept {
     return true;
 }
 
-// -1 .. 1: how fast the handwheel lets the programs of the group go; 0 they stand.
+// -1 .. 1: speed at which the handwheel drives the programs of the group; 0: standstill.
 void ChannelRunner::set_handwheel(bool on, double rate) noexcept {
     // the next start is a new one
     if (handwheel_ && !on && trail_.active() && state_ == ChannelState::Ended) trail_.clear();
@@ -90,7 +89,7 @@ void ChannelRunner::set_handwheel(bool on, double rate) noexcept {
     if (handwheel_ && retrace_ != 0) retrace_ = 0;
 }
 
-// The wheel turns backwards, or the trail has been left already.
+// The handwheel turns backwards, or the retraced path has been left already.
 bool ChannelRunner::handwheel_drives_trail() noexcept {
     if (trail_.active()) return true;
     if (handwheel_rate_ >= 0 || !drives_by_handwheel() || state_ == ChannelState::ProgramStop ||
@@ -136,8 +135,8 @@ bool ChannelRunner::partners_let_through(std::span<ChannelRunner* const> all) co
     return true;
 }
 
-// Between the channels' runs: who stands at a wait on the way back or forth goes through it when
-// the others are there.
+// Between the channels' runs: a channel that waits during retrace passes the wait when the others
+// are there.
 void ChannelRunner::pass_waits(std::span<ChannelRunner* const> all) noexcept {
     handwheel_blocked_ = false;
     if (!trail_.active() || !handwheel_ || handwheel_rate_ == 0 || !trail_.stands() ||
@@ -147,8 +146,8 @@ void ChannelRunner::pass_waits(std::span<ChannelRunner* const> all) noexcept {
         trail_.pass();
         return;
     }
-    // A wait that its partners are still on the way to holds nobody up, nor does a program that is
-    // back at its start; anything else ends the way back for all.
+    // A wait that its partners have not reached yet holds nothing up, nor does a program that is
+    // back at its start; anything else ends retrace for all.
     const bool at_start = !trail_.obstacle() && trail_.from_the_start();
     handwheel_blocked_ = handwheel_rate_ < 0 && trail_.obstacle_meeting() == 0 && !at_start;
     if (handwheel_blocked_ && !handwheel_reported_) tell_obstacle();
@@ -175,9 +174,9 @@ void ChannelRunner::drive_trail() noexcept {
     const bool drives = trail_.tick(input);
     if (drives && was_at_rest && !trail_.at_rest() && !axes_are_on(trail_.record(), trail_.s()) &&
         !on_trail_) {
-        // The first step is one tick long: what is further off than that has been moved by hand or
-        // by another program. The trail stands from here: the next tick would otherwise find it
-        // under way and set the axes onto it.
+        // The first step is one tick long: what is further off has been moved by hand or by another
+        // program. Retrace starts here at standstill: the next tick would otherwise find it in
+        // motion and set the axes onto it.
         raise(Alarm::RecordInvalid, "the axes are not on the path that is to be driven back");
         trail_.turn(0, false);
         return;

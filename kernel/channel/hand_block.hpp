@@ -1,6 +1,5 @@
-// A block that runs in place of the program: the next line of the list of blocks entered by hand,
-// or the one of a key whose label says that it starts something (tool, part transfer). The two are
-// never mixed.
+// A block that runs in place of the program: the next MDI line, or the block of a key whose label
+// says that it starts something (tool, part transfer). The two are never mixed.
 #pragma once
 #include <array>
 #include <cstdint>

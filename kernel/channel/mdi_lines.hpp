@@ -1,5 +1,4 @@
-// Blocks that the operator has entered by hand, in the order in which a start takes them (H2:
-// entering is not starting).
+// MDI blocks, in the order in which a start takes them (H2: entering is not starting).
 //
 //   A done | B runs | C entered (due) | D entered (due) | E entered |
 //                                                          ^ after the start: it waits for the next
@@ -22,7 +21,7 @@ namespace polyturn::kernel {
 
 class MdiLines {
 public:
-    // False: no room, all lines are still to run.
+    // False: the list is full, all lines are still to run.
     [[nodiscard]] bool enter(std::string_view text) noexcept;
     std::uint32_t waiting() const noexcept { return list_.waiting; }
     // A start of the operator: `all` that is entered now, or the first line alone.

@@ -9,7 +9,7 @@ namespace polyturn::kernel {
 namespace {
 
 constexpr double kNothing = 1e-9;  // mm
-// of an axis' speed that is left to the way out beside the thread
+// of an axis' speed that is left to the retract from the thread
 constexpr double kLeastShare = 0.1;
 // of acceleration and jerk: the thread follows the encoder with the rest
 constexpr double kMargin = 0.9;
@@ -66,7 +66,7 @@ void ThreadRetract::move_axes(std::array<AxisUnit, kMaxAxes>& axes, double tick_
         axes[axis_[k]].move_to(axes[axis_[k]].own_target() + share_[k] * offset_);
 }
 
-// The way of this leg; false: it has none.
+// The travel of this leg; false: it has none.
 bool ThreadRetract::begin_leg(const PathRecord& r, const std::array<AxisUnit, kMaxAxes>& axes,
                               double tick_s) noexcept {
     const std::uint32_t lead = lead_slot(r);
@@ -120,7 +120,7 @@ bool ChannelRunner::withdraws(const PathRecord&) const noexcept {
 }
 
 void ChannelRunner::begin_withdrawal(const PathRecord& r, const ThreadStep& step) noexcept {
-    // A way out that is closed is none: the hold then acts behind the thread.
+    // A retract direction that is blocked is none: the hold then acts behind the thread.
     for (std::uint32_t k = 0; k < r.axis_count; ++k)
         if (const double way = retract_of(r, k);
             way != 0.0 && core_.stroke.room(core_, r.axis[k], way) < std::fabs(way))

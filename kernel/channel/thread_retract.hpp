@@ -1,4 +1,4 @@
-// Out of a thread that is held, and back to where its pass begins.
+// Retract from a thread that is held, and return to where its pass begins.
 //
 //   hold                                        cycle start
 //    |  Leaving: the thread goes on, the          |  Along: the thread's own axis back to the start,
@@ -28,16 +28,16 @@ public:
     bool clear_of_part() const noexcept { return phase_ >= Phase::Clear; }
     bool out() const noexcept { return phase_ >= Phase::Out; }
 
-    // Out by record.retract beside a path of speed `path_speed`. False: there is no way out.
+    // Retract by record.retract from a path of speed `path_speed`. False: no retract is possible.
     bool begin(const PathRecord& record, const std::array<AxisUnit, kMaxAxes>& axes,
                double path_speed, double tick_s) noexcept;
-    // One tick of the way out, on top of what the path commands.
+    // One tick of the retract, on top of what the path commands.
     void move_axes(std::array<AxisUnit, kMaxAxes>& axes, double tick_s) noexcept;
     void stop() noexcept { jog_.stop(); }
     bool moving() const noexcept { return jog_.active(); }
     void stands_out() noexcept { phase_ = Phase::Out; }
 
-    // One tick of the way back to the start of `record`; `go`: it may move, else it brakes. True
+    // One tick of the return to the start of `record`; `go`: it may move, else it brakes. True
     // when it is there.
     bool step_back(const PathRecord& record, std::array<AxisUnit, kMaxAxes>& axes, bool go,
                    double tick_s) noexcept;
@@ -50,7 +50,7 @@ private:
     Phase phase_ = Phase::None;
     std::uint32_t slots_ = 0;
     std::array<std::uint8_t, kMaxPathAxes> axis_{};
-    // of the way, per axis; where the leg began
+    // of the travel, per axis; where the leg began
     std::array<double, kMaxPathAxes> share_{}, from_{};
     double length_ = 0, offset_ = 0;
     AxisJog jog_;

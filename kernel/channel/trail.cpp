@@ -116,7 +116,7 @@ bool Trail::tick(const PathInput& input) noexcept {
     while (planner_->wants_record()) {
         std::uint64_t i = at_;
         double way = 0;
-        if (!appended_ && s_ > 0) {  // the rest of the piece in which it stands
+        if (!appended_ && s_ > 0) {  // the rest of the piece that contains it
             way = direction_ < 0 ? s_ : length(i) - s_;
             from_s_ = s_;
         } else {

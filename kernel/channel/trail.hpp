@@ -1,14 +1,14 @@
-// The way that a channel's path has come: its last executed records (PT_HISTORY), driven backwards
-// and forwards again by a planner of its own (architecture 5.7). The channel's own planner keeps
-// its place meanwhile.
+// The retrace memory: the last executed records of a channel (PT_HISTORY), driven backwards and
+// forwards again by a planner of its own (architecture 5.7). The channel's own planner keeps its
+// position meanwhile.
 //
 //   begin_                                   end_
 //     | r0 | r1 | wall | r3 | wait | r5 | ... | the part of the running record that is driven |
 //                        <---- at_, s_ ---->                                    left here ^
 //
-// A wall is what cannot be taken back: a thread, a tap, a skip move, an M, S, T or positioned
-// spindle, a barrier. Retrace ends there. A wait is a barrier too; a handwheel that is the time of
-// the programs goes through it, when all its channels do (last_meeting).
+// A wall is what cannot be retraced: a thread, a tap, a skip move, an M, S, T or positioned
+// spindle, a barrier. Retrace ends there. A wait is a barrier too; a handwheel that is the time
+// base of the programs passes it when all its channels do (last_meeting).
 //
 // Invariants
 //   I1  a place is (at_, s_) with 0 <= s_ < length of the entry at_; with s_ 0 it is the gap
@@ -27,7 +27,7 @@ namespace polyturn::kernel {
 
 class Trail {
 public:
-    // Room for so many records; not in the cyclic thread.
+    // Capacity in records; not in the cyclic thread.
     void prepare(std::size_t records);
     void configure(double tick_s, std::uint32_t horizon) noexcept;
     void clear() noexcept;
@@ -49,18 +49,18 @@ public:
     // opens them.
     void turn(int direction, bool through_waits) noexcept;
     int direction() const noexcept { return direction_; }
-    // One tick; false: nothing was driven. record() and s() tell where it led.
+    // One tick; false: nothing was driven. record() and s() give the new position.
     bool tick(const PathInput& input) noexcept;
     double speed() const noexcept { return planner_->speed(); }
     const PathRecord& record() const noexcept { return piece(shown_); }
     double s() const noexcept { return shown_s_; }
-    // At rest behind the last thing that can be driven in this direction: what stands there;
-    // nullptr: the end of the memory.
+    // At rest behind the last record that can be driven in this direction: the record that stops
+    // it; nullptr: the end of the memory.
     bool stands() const noexcept;
     const PathRecord* obstacle() const noexcept;
     bool from_the_start() const noexcept { return begin_ == 0; }  // no record has been forgotten
 
-    // --- waits, for a channel that stands at one of them
+    // --- waits, for a channel that waits at one of them
     std::uint64_t obstacle_meeting() const noexcept;  // 0: the obstacle is no wait
     void pass() noexcept;                             // over the wait
     std::uint64_t last_meeting() const noexcept;      // the newest before this place

@@ -77,13 +77,13 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
     std::array<int, kProcesses> pid{};
     for (std::size_t p = 0; p < kProcesses; ++p) pid[p] = supervisor_.processes[p].pid;
     const StoreSegment* store = &machine.store_segment();
-    // versions of the tools and of the parameters that say whose turret they stand in
+    // versions of the tools and of the parameters that say whose turret holds them
     std::uint64_t shown = 0, shown_by = 0;
     // P3: a flag (the order is stronger than needed)
     while (!stop.load(std::memory_order_acquire)) {
         sleep_ms(kLookMs);
-        // A longer tool guards from the next tick on that finds it here. Life that is counted
-        // changes the table too: only other outlines are news.
+        // The protection uses a longer tool from the next tick that sees this table. Counting tool
+        // life changes the table too; only changed outlines matter here.
         if (const std::uint64_t now = store->tools.version(), by = store->parameters.version();
             (now != shown || by != shown_by) &&
             // P7: taken: the other of the two shapes_ is read no more

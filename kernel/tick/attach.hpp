@@ -1,4 +1,4 @@
-// Finding the other processes: they start after the kernel and may be started anew while it runs.
+// Attaches the other processes: they start after the kernel and may be restarted while it runs.
 #pragma once
 #include <array>
 #include <atomic>
@@ -15,14 +15,14 @@ class Peers {
 public:
     Peers(std::string instance, const SupervisorSegment& supervisor)
         : instance_(std::move(instance)), supervisor_(supervisor) {}
-    // Waits for everybody whom the supervisor has announced (or who has died since), as long as
-    // that lives.
+    // Waits for every process that the supervisor has announced (or that has died since), as long
+    // as the supervisor lives.
     void attach_all(Machine& machine, const std::atomic<bool>& alone);
-    // Successors of those that have died, until told to stop; runs in a thread of its own (real
+    // Attaches successors of dead processes until it is stopped; runs in a thread of its own (real
     // time).
     void watch(Machine& machine, const std::atomic<bool>& stop);
-    // Virtual time, between two ticks: successors of channels whose axes rest. The supervisor
-    // starts them while the clock waits for it.
+    // Virtual time, between two ticks: attaches successors of channels whose axes are at
+    // standstill. The supervisor starts them while the clock waits.
     void attach_successors(Machine& machine);
 
 private:

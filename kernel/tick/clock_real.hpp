@@ -1,6 +1,6 @@
 // Real time: an absolute timer, first-in first-out priority and locked memory where the system
-// grants them (and a plain word where it does not). A late tick is one late tick: the next one
-// comes a whole tick after it, nothing is made up for.
+// grants them (a message where it does not). A late tick is not made up for: the next tick comes
+// one whole tick later.
 #pragma once
 #include <atomic>
 #include <string>
@@ -21,7 +21,7 @@ public:
 private:
     void supervise();
     Machine& machine_;
-    const std::atomic<bool>& alone_;  // the supervisor has died, or the kernel was told to end
+    const std::atomic<bool>& alone_;  // the supervisor has died, or the kernel was asked to end
     std::uint64_t beat_ = 0;
     std::int64_t beat_tick_ = 0;
     std::uint64_t rung_ = 0;

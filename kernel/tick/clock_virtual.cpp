@@ -32,19 +32,19 @@ void VirtualClock::await(const Doorbell& bell, std::size_t process, Doorbell& th
     for (int without_supervisor = 0;;) {
         const std::uint32_t seen = bell.seen();
         if (ready() || gone(process)) return;
-        // nobody says any more who has died
+        // the process that reports deaths is gone
         if (alone() && ++without_supervisor > kLooksAlone) return;
         bell.wait(seen, kLookAgainUs, kSpins);
     }
 }
 
-// The supervisor has seen the newest event and said what it had to say; there is room for what a
-// tick may log and trace.
+// The supervisor has handled the newest event and sent its answers; there is room for what a tick
+// may log and trace.
 void VirtualClock::supervisor() {
     Core& core = machine_.core();
     const bool follow = core.supervisor.options.follow_log != 0;
     const auto ready = [&] {
-        if (alone()) return true;  // nobody reads log and trace any more
+        if (alone()) return true;  // the reader of log and trace is gone
         machine_.commands().drain(core.tick);
         return machine_.commands().end_requested() ||
                (core.log.has_room() && machine_.trace_has_room() &&
@@ -120,7 +120,7 @@ void VirtualClock::run() {
     std::uint64_t none = 0;
     while (!machine_.ended()) {
         if (step()) continue;
-        // Virtual time stands. What wakes it is a command; all of a batch are there when the
+        // Virtual time is stopped. A command starts it again; all of a batch are there when the
         // supervisor has seen «idle».
         await(core.supervisor.bell, kProcesses, core.image.supervisor_bell, none, [&] {
             if (alone()) return true;

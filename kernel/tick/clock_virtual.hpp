@@ -1,11 +1,10 @@
-// Virtual time: the same machine, as fast as it goes, and the same whatever the load of the
-// computer.
+// Virtual time: the same machine as fast as the computer allows, with the same result at any load.
 //
-// Before each tick the clock makes sure that everything this tick may depend on is there
-// (segments.hpp): records of each channel up to the horizon or its word that it has nothing more to
-// say, the PLC's answer that acts now, the store's answer that acts now, and what the supervisor
-// has to say to the newest event. It waits for the participants in turn, on the bell in each one's
-// own segment: usually all is there already and a tick costs no system call.
+// Before each tick the clock waits until everything that this tick may depend on is there
+// (segments.hpp): records of each channel up to the horizon or its notice that no more follow, the
+// answers of the PLC and of the store that act now, and the supervisor's reaction to the newest
+// event. It waits for the participants in turn, on the bell in each one's own segment: usually all
+// is there already and a tick costs no system call.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -22,13 +21,13 @@ public:
     // `alone`: the supervisor has died; nullptr: it lives as long as the machine.
     explicit VirtualClock(Machine& machine, Peers* peers = nullptr,
                           const std::atomic<bool>* alone = nullptr);
-    // Runs until the end of the run. Attached before: everybody who takes part.
+    // Runs until the end of the run. All participants must be attached before.
     void run();
     // One tick when all is there; false when the machine is idle and no command is there (tests
     // drive it by hand).
     bool step();
 
-    // For how long it waited, by participant; tells what limits the speed.
+    // Waiting time by participant; shows what limits the speed.
     struct Waits {
         std::uint64_t channels = 0, plc = 0, store = 0, supervisor = 0;
     };
@@ -47,7 +46,7 @@ private:
 
     Machine& machine_;
     const std::atomic<bool>* alone_;
-    Peers* peers_;  // who looks for successors; nullptr: nobody
+    Peers* peers_;  // looks for successors; nullptr: none are looked for
     Waits waits_;
     std::uint64_t rung_ = 0;  // newest event that the supervisor was woken for
     bool idle_said_ = false;

@@ -1,6 +1,6 @@
-// Commands come out of the supervisor's memory, as records out of a channel's: what acts is a copy
-// that was looked at once. Objects (axes, spindles, slots, inputs) are compared with what there is
-// where they are used; here stands what a number of a command may be at all.
+// Commands come out of the supervisor's memory, as records come out of a channel's: the kernel acts
+// on a copy that was checked once. Objects (axes, spindles, slots, inputs) are compared with the
+// machine where they are used; this file has the range of a command's numbers.
 #pragma once
 #include <cmath>
 

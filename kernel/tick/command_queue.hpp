@@ -1,6 +1,6 @@
-// Commands of operator and scenario on their way to their tick. The supervisor pushes them in any
-// order of time; here they are sorted by tick, and within a tick by sequence (the file's order).
-// Fixed room: what does not fit stays in the ring.
+// Commands of operator and scenario, waiting for their tick. The supervisor pushes them in any
+// order of time; they are sorted by tick, and within a tick by sequence (the file's order). The
+// capacity is fixed: what does not fit stays in the ring.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,7 +32,7 @@ public:
         if (count_ == 0 || store_[order_[count_ - 1]].tick > now) return nullptr;
         return &store_[order_[--count_]];
     }
-    // The run is to end: nobody will read the log any more.
+    // The run is to end: the log is not read any more.
     bool end_requested() const noexcept { return end_requested_; }
     bool empty() noexcept { return count_ == 0 && ring_.front() == nullptr; }
 

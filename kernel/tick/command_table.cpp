@@ -19,10 +19,10 @@ void Machine::each_channel(const Command& command, Act act) noexcept {
             act(*channels_[l]);
 }
 
-// One channel that is named is started, or says why it is not. Of several (all, or a machine group)
-// all begin in this tick that have something to begin; the others are passed over: nobody has meant
-// them. Where nothing would begin at all, one of them says what it lacks: the one that somebody has
-// put into MDI, else the first.
+// A channel that is named is started, or reports why it cannot start. Of several (all, or a machine
+// group) those that have something to execute start in this tick; the others are skipped without a
+// message. If none can start, one channel reports what it lacks: the one that is in MDI, else the
+// first.
 void Machine::start_channels(const Command& command) noexcept {
     if (command.channel != 0)
         return each_channel(
@@ -59,7 +59,8 @@ void Machine::take_commands() noexcept {
             core_.alarm(Alarm::RequestBad, 0, text.view());
             continue;
         }
-        // The supervisor has asked already; a kernel that trusts nobody asks again. Level 0: the
+        // The supervisor has asked already; the kernel does not rely on it and asks again. Level 0:
+        // the
         // machine's own.
         if (due.level != 0 && due.level - 1 < static_cast<std::uint32_t>(level_of(due))) {
             core_.alarm(Alarm::LevelTooLow, due.channel, level_words(due));
@@ -92,7 +93,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
             reset_couplings(c.channel);
-            // positioning axes end with their own channel (beside.cpp)
+            // positioning axes end with their own channel (by_hand/positioning_axis.cpp)
             for (std::uint32_t a = 0; a < kMaxAxes; ++a)
                 if (!positioning_axes_[a].asked || positioning_axes_[a].channel == 0)
                     jogs_[a].stop();

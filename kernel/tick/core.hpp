@@ -1,6 +1,5 @@
-// What all parts of the cyclic thread share: the image, the machine as it is at this tick, and the
-// way to say that something happened. No behaviour beyond that; machine.hpp has the order of a
-// tick.
+// What all parts of the cyclic thread share: the image, the machine's state at this tick, and the
+// functions that report events. No behaviour beyond that; machine.hpp has the order of a tick.
 #pragma once
 #include <array>
 #include <atomic>
@@ -56,7 +55,7 @@ struct Core {
     // PLC dead, ticks late, supervisor silent: everything rests until reset
     bool all_stop = false;
     bool store_dead = false;
-    // it has lost data and nobody has confirmed that production goes on
+    // it has lost data, and the operator has not confirmed that production goes on
     bool store_unfit = false;
     bool some_slow = false;  // is_slow() of any axis, in this tick
     bool end_run = false;
@@ -89,7 +88,7 @@ struct Core {
     std::array<SharedAxis, kMaxAxes> shared_axes{};
     StrokeGuard stroke;
     ChannelSet stroke2_off = 0;  // G23: range 2 does not count in these channels
-    // What programs ask of axes beside their path (beside.cpp); taken in the same tick.
+    // What programs ask of positioning axes (by_hand/positioning_axis.cpp); taken in the same tick.
     struct PositioningRequest {
         bool asked = false;
         // own coordinate; mm/s (per_turn: mm a revolution of `spindle`), 0 rapid
@@ -103,25 +102,25 @@ struct Core {
         bool own = false;
     };
     std::array<PositioningRequest, kMaxAxes> beside{};
-    // Whose program an axis runs by itself. Several channels may command one (fanuc F8250 = 3):
-    // their programs follow each other in the order in which they were started.
+    // The channel whose program drives a positioning axis. Several channels may command one (fanuc
+    // F8250 = 3): their programs follow each other in the order in which they were started.
     struct PositioningTurn {
         static constexpr std::uint64_t kNobody = ~std::uint64_t{0};
-        std::uint32_t channel = 0;      // whose program runs; 0 none
+        std::uint32_t channel = 0;      // channel whose program runs; 0 none
         std::uint64_t first = kNobody;  // of those that wait in this tick, the oldest
     };
     std::array<PositioningTurn, kMaxAxes> positioning_turn{};
     std::uint64_t positioning_starts = 0;
     // What a move that ends at a torque allows its drives (G31 P98), thousandths; 0: no such move.
     std::array<std::uint16_t, kMaxAxes> move_torque{};
-    // What programs ask of the machine, axis by axis: torque on the way to a fixed stop
+    // What programs ask of the machine, axis by axis: torque while travelling to a fixed stop
     // (thousandths, 0 all), the window there (0: PT_STOP_WINDOW), a reference point that is to be
     // found; and whether that could not be found.
     std::array<std::uint16_t, kMaxAxes> program_torque{};
     std::array<double, kMaxAxes> program_window{};
     std::array<bool, kMaxAxes> home_request{}, home_busy{}, home_failed{};
-    // What programs have told other channels (INIT, START): carried out when all channels have had
-    // their turn in the tick.
+    // What programs have requested of other channels (INIT, START): carried out when all channels
+    // have had their turn in the tick.
     struct ProgramCall {
         std::array<char, kCommandText> file{};
         bool selected = false, started = false;
@@ -137,7 +136,8 @@ struct Core {
     std::array<std::int64_t, kMaxSpindles> spindle_called_until{};
 
     // The PLC's detach flags decide whether a C axis has the drive (nct_parameters_part1 7.1); with
-    // neither of them it has it while the spindle is meant to stand and follows no other one.
+    // neither of them it has it while the spindle is commanded to standstill and follows no other
+    // one.
     bool drive_is_for_axis(std::uint32_t axis) const noexcept {
         namespace sig = polyturn::signals;
         const std::uint32_t s = config.axes[axis].on_spindle;
@@ -167,7 +167,7 @@ struct Core {
         return axis.exists && !axes[a].referenced && !axes[a].detached && !axis.servo.open &&
                axis.reference.order == 0 && axis.reference.rapid > 0;
     }
-    // The door is open and nobody works in setup mode with it.
+    // The door is open and setup mode is off.
     bool door_open(std::uint32_t channel) const noexcept {
         namespace sig = polyturn::signals;
         return signals.plc(sig::cp_dooropen(channel)) != 0 && !signals.plc(sig::cp_setup(channel));
@@ -199,7 +199,7 @@ struct Core {
         copy_text(e->text, text);
         log.put();
     }
-    // Says it; what stands still because of it is the caller's business.
+    // Reports it; the caller stops what has to stop because of it.
     void alarm(Alarm number, std::uint32_t channel, std::string_view detail = {}, double value = 0,
                std::uint32_t line = 0) noexcept {
         const bool error = alarm_row(number).severity == Severity::Error;

@@ -1,8 +1,7 @@
 // The kernel's log: everything that happened, in order, for the event log and the screens.
 //
 // In virtual time the clock makes room before each tick (clock_virtual.cpp), so that nothing is
-// ever lost; in real time the cyclic thread waits for nobody, drops what does not fit and counts
-// it.
+// lost. In real time the cyclic thread never waits: it drops what does not fit and counts it.
 #pragma once
 #include <algorithm>
 #include <cstring>

@@ -9,7 +9,7 @@
 
 namespace polyturn::kernel {
 namespace {
-// a PLC whose signals stand for so long counts down nothing
+// a PLC whose signals have not changed for so long counts down nothing
 constexpr double kPlcQuietS = 0.2;
 // ... unless an M, S or T is open: turrets and chucks take their time
 constexpr double kHandshakeQuietS = 20.0;
@@ -51,7 +51,7 @@ void Machine::start() {
                               std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
         if (!core_.config.axes[a].exists) continue;
-        // A simulated machine stands where it was left.
+        // A simulated machine is where it was left.
         const double left_at = store_segment_->totals.published().last_position[a];
         const ReferenceConfig& reference = core_.config.axes[a].reference;
         const double was_at = left_at + reference.absolute_origin();
@@ -102,8 +102,8 @@ void Machine::set_state(MachineState state) noexcept {
     core_.signals.set_nc(signals::n_estop(), state == MachineState::EmergencyStop);
 }
 
-// Real time only: in virtual time channels alone have successors, between two ticks
-// (clock_virtual.cpp); who else has died stays dead.
+// Real time only: in virtual time only channels have successors, between two ticks
+// (clock_virtual.cpp); other processes stay dead.
 void Machine::take_restarted_processes() noexcept {
     // P7, here and below: a look that costs nothing, then the place is taken
     for (unsigned l = 0; l < kMaxChannels; ++l) {
@@ -273,8 +273,8 @@ void Machine::run_channels() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         core_.some_slow = core_.some_slow || core_.is_slow(a);
     for (auto& channel : channels_) channel->supply();
-    // Balance cut: both have said so and both programs are under way. The lower override counts for
-    // both, what holds one holds both.
+    // Balance cut: both channels have requested it and both programs are running. The lower
+    // override counts for both; what holds one holds both.
     struct Own {
         double feed, rapid;
     };

@@ -71,11 +71,11 @@ public:
     void adopt_parameters() noexcept;
     // Stops everything along the paths, spindles too, until reset.
     void stop_all(Alarm reason, double value = 0) noexcept;
-    // The supervisor has died: stops everything, and no command that it has left behind acts any
-    // more. When all stands, or after kLeftAloneMostS, the run is over. At a tick's start.
+    // The supervisor has died: stops everything; no command that it has left behind acts any
+    // more. The run ends at standstill, or after kLeftAloneMostS. At a tick's start.
     void left_alone() noexcept;
     bool is_left_alone() const noexcept { return alone_since_ >= 0; }
-    static constexpr double kLeftAloneMostS = 120;  // a large chuck takes its time to stand
+    static constexpr double kLeftAloneMostS = 120;  // a large chuck needs time to stop
 
     Core& core() noexcept { return core_; }
     PlcLink& plc() noexcept { return plc_; }
@@ -93,7 +93,7 @@ public:
     void (*on_action)(void*) = nullptr;
     void* on_action_context = nullptr;
     // Nothing moves, counts down or waits for an answer: only a command can change anything
-    // (virtual time stands).
+    // (virtual time is stopped).
     bool idle() noexcept;
 
 private:
@@ -113,7 +113,7 @@ private:
     double jog_feed(std::uint32_t axis) const noexcept;
     // tool_setter.cpp
     void look_at_setters() noexcept;
-    // it must not be moved further that way
+    // it must not be moved further in that direction
     bool touches_setter(std::uint32_t channel, std::uint32_t axis, double sign) const noexcept;
     struct Setter {
         // tool setter of spindle 1, 2; workpiece setter of spindle 1, 2
@@ -122,7 +122,7 @@ private:
         // axis (from 1), negative: travelling in its negative direction
         std::int32_t touched = 0;
         std::uint32_t at = 0;  // which of them touched last, from 1
-        // tick of the last refusal: a panel tells again and again that its key is held
+        // tick of the last refusal: a panel repeats that its key is held
         std::int64_t told = -1'000'000;
     };
     std::array<Setter, kMaxChannels> setters_{};
@@ -133,7 +133,7 @@ private:
     void turn_on(std::uint32_t a, double sign, double way) noexcept;
     void start_jog(Permit permit, std::uint32_t axis, double sign, double speed, double distance,
                    double seconds, bool by_key = false) noexcept;
-    // The axis whose drive an address has, and 1 or -1: which way the address counts it
+    // The axis whose drive an address has, and 1 or -1: the direction in which the address counts
     // (nct_parameters_part2 22.4).
     std::uint32_t behind_address(std::uint32_t axis) const noexcept;
     double address_sign(std::uint32_t axis) const noexcept;
@@ -191,14 +191,14 @@ private:
     void run_spindles() noexcept;
     double surface_position(SpindleUnit& spindle) const noexcept;
     void retract_gear(std::uint32_t channel) noexcept;
-    // retract.cpp: out of the work when a partner has died or the mains fail
+    // retract.cpp: retract when a partner has died or power fails
     void retract_work(std::uint32_t channel) noexcept;
     void run_retracts() noexcept;
     void watch_power() noexcept;
     enum class Retract : std::uint8_t { None, Stopping, Moving };
     std::array<Retract, kMaxChannels> retracts_{};
     bool power_failed_ = false, power_was_out_ = false;
-    // superpose.cpp: a handwheel adds its way to axes of a running program
+    // superpose.cpp: a handwheel adds its travel to axes of a running program
     void superpose(std::uint32_t axis, double way) noexcept;
     void run_overlays() noexcept;
     struct Overlay {
@@ -211,7 +211,7 @@ private:
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
-    // beside.cpp
+    // positioning_axis.cpp
     bool start_positioning_axis(std::uint32_t axis, const Core::PositioningRequest& wish) noexcept;
     bool end_positioning(std::uint32_t axis) noexcept;
     double positioning_speed(std::uint32_t axis) const noexcept;
@@ -274,7 +274,7 @@ private:
     std::array<GearRetract, kMaxChannels> gear_retract_{};
     std::array<bool, kMaxChannels> gear_request_{};  // CP_EGBRRQ as it was
     std::array<Homing, kMaxAxes> homing_{};
-    // Jog in hold: where the axes of a channel came from, last first on the way back.
+    // Jog in hold: positions that the axes of a channel left, last first for the return.
     struct ReturnPath {
         static constexpr std::size_t kMost = 64;
         std::array<std::uint8_t, kMost> axis{};
@@ -295,11 +295,11 @@ private:
     std::array<double, kMaxChannels + 1> program_time_{};
     // collected pulses that wait for the axis, mm
     std::array<double, kMaxAxes> handwheel_left_{};
-    // N2400 HnM: last tick in which the wheel that moves it was turned; 0: none that it stops with
+    // N2400 HnM: last tick in which the handwheel that moves it was turned; 0: none
     std::array<std::int64_t, kMaxAxes> handwheel_turned_{};
     // wanted, and not begun: an axis of a lower order comes first
     std::array<bool, kMaxAxes> to_reference_{};
-    std::array<bool, kMaxAxes> absolute_seen_{};  // its encoder has told where the axis stands
+    std::array<bool, kMaxAxes> absolute_seen_{};  // its encoder has reported the axis' position
     std::array<bool, kMaxAxes> drive_ready_{};    // AP_RPE at the last tick
     std::array<double, kMaxAxes> lubricated_{};   // travel since AN_LUBR, mm
     struct Watch {

@@ -1,6 +1,6 @@
-// The scope: up to eight signals at every tick, for whoever looks (HMI). One ring that nobody
-// consumes: the oldest samples are written over, so a screen that comes late misses some and the
-// machine never waits for it. Nothing is written while no trace is chosen.
+// The scope: up to eight signals at every tick, for the screens. Nobody consumes the ring: the
+// oldest samples are overwritten, so a late screen misses some and the machine never waits for it.
+// Nothing is written while no trace is chosen.
 #pragma once
 #include "kernel/tick/core.hpp"
 

@@ -1,8 +1,8 @@
 // Simulated touch and limit signals (setup, cli.md 2): an input that comes when an axis, travelling
-// in the sensor's direction, is beyond its place, and goes when the axis has come back past it.
-// Looked at after the drives of a tick, seen by the channels at the next one; the part of the tick
-// at which the axis crossed the place is kept, because a probe input latches the encoders at once
-// and not at a tick.
+// in the sensor's direction, passes the sensor's position, and goes when the axis has come back.
+// Evaluated after the drives of a tick, seen by the channels at the next tick. The moment of the
+// crossing within the tick is stored, because a probe input latches the encoders at once and not at
+// a tick.
 #pragma once
 #include <array>
 #include <cstdint>

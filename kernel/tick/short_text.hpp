@@ -1,5 +1,5 @@
-// Builds the text of an event in its own 160 bytes: no allocation and no printf machinery in the
-// cyclic thread. What does not fit is cut.
+// Builds the text of an event in its own 160 bytes: no allocation and no printf in the cyclic
+// thread. What does not fit is truncated.
 #pragma once
 #include <array>
 #include <charconv>

@@ -1,8 +1,8 @@
-// All flags and registers between NC and PLC, as they act: what the PLC wrote, or what operator and
-// scenario force on it.
+// All flags and registers between NC and PLC with their effective values: what the PLC wrote, or
+// what operator and scenario force.
 //
-// A forced signal (set AP_SYNCR A3=1) holds until it is released, whatever its writer says; both
-// sides of the border can be forced, because a scenario may also play the NC towards the PLC.
+// A forced signal (set AP_SYNCR A3=1) holds until it is released, whatever its writer writes. Both
+// directions can be forced, because a scenario may also stand in for the NC towards the PLC.
 #pragma once
 #include <array>
 #include <bitset>

@@ -1,10 +1,10 @@
-// Measured errors that are imported while the machine runs: machine.compensation is looked at by a
-// thread of its own (real time only; a virtual run has the tables it began with), read and checked
-// there, and handed to the cyclic thread, which takes it while all axes rest. Its values then fade
-// in like everything that compensation adds.
+// Error tables that are imported while the machine runs. A thread of its own looks at
+// machine.compensation (real time only; a virtual run keeps the tables it began with), reads and
+// checks it, and hands it to the cyclic thread, which takes it when all axes are at standstill. The
+// new values then fade in like every compensation value.
 //
-// A table that does not fit the parameters is refused as a whole: the one that acts goes on, and
-// the operator is told.
+// A table that does not fit the parameters is refused as a whole: the active table remains, and the
+// operator is notified.
 #pragma once
 #include <atomic>
 #include <filesystem>

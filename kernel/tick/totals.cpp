@@ -7,7 +7,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kTimersEveryS = 10.0;
-constexpr double kSamePlace = 1e-6;  // mm: the encoder's last digit is no news
+constexpr double kSamePlace = 1e-6;  // mm: changes below the encoder's resolution are ignored
 }  // namespace
 
 void Totals::start(const params::Table& table) noexcept {

@@ -1,6 +1,6 @@
-// What the machine counts over its life (parts, hours) and where its axes came to rest: kept by the
-// store, sent through the kernel's ring. Parts at once; hours when a program stops and every ten
-// seconds, because each is a write to the disk.
+// What the machine counts over its life (parts, hours) and the last positions of its axes: saved by
+// the store, sent through the kernel's ring. Parts are sent at once; hours when a program stops and
+// every ten seconds, because each is a write to the disk.
 #pragma once
 #include <array>
 #include <bitset>
@@ -35,8 +35,8 @@ public:
     void spend(unsigned channel, const Activity& activity, double ms) noexcept;
     void power_on(double ms) noexcept { values_[static_cast<std::size_t>(kPowerOnTime)] += ms; }
     void timers_due() noexcept { due_.set(); }
-    // An axis stands: where it is counts. Absolute encoders: what they show, not the machine
-    // position that is made of it.
+    // The position of an axis at standstill is saved. Absolute encoders: the encoder's value, not
+    // the machine position that is made of it.
     void rests(unsigned axis, double position) noexcept;
     bool strays(unsigned axis, double position, double distance) const noexcept {
         return !known_[axis] || std::fabs(position - kept_[axis]) > distance;
