@@ -1,6 +1,5 @@
-// What axes tell the PLC and what the PLC makes of them besides motion: ends of the stroke,
-// position switches, index positions, lubrication, detaching (nct_parameters_part1 2.1, 3.7, 11.3,
-// 12, 13).
+// Axis signals to and from the PLC, except those for motion: ends of the stroke, position switches,
+// index positions, lubrication, detaching (nct_parameters_part1 2.1, 3.7, 11.3, 12, 13).
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +30,7 @@ void Machine::guard_stroke(std::uint32_t a) noexcept {
         channels_[axis.owner - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), limit);
     jogs_[a].stop();
     stop_carrier(a);
-    // whoever moves it stops too
+    // its mover stops too
     for (std::uint32_t by = couplings_.master_of(a); by; by = couplings_.master_of(by - 1)) {
         if (const std::uint32_t mover = core_.axes[by - 1].owner)
             channels_[mover - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), limit);

@@ -149,12 +149,12 @@ bool AxisUnit::mark_seen(double& machine) const noexcept {
     return true;
 }
 
-// What the drive has just told. An absolute encoder of few bits may at first stand in another round
+// What the drive has just reported. An absolute encoder of few bits may at first be in another turn
 // than the one in which the axis was believed to be: then it is where the encoder says, and nothing
 // moves.
 void AxisUnit::read_encoder() noexcept {
     const bool first = count_.limited() && !count_.known();
-    if (!count_.known() && status_.lost != 0) return;  // nobody has answered yet
+    if (!count_.known() && status_.lost != 0) return;  // no answer yet
     const double here = units(count_.take(status_.position)) + origin_ - compensation_;
     if (!first ||
         std::fabs(here - command_) * pulses_per_unit_ < static_cast<double>(count_.range()) / 4)
@@ -236,7 +236,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
             loop_.measured(encoder + offset);
         error_ = loop_.error();
     } else {
-        // Pulses of an open loop belong to the axis, unless its encoder serves somebody else at
+        // Pulses of an open loop belong to the axis, unless its encoder serves another axis at
         // present (EFD).
         if (config_.servo.no_count_open || requests.no_count) origin_ -= encoder - uncounted_from_;
         uncounted_from_ = encoder;
@@ -265,13 +265,13 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     if (closes) supervise(tick_s);
 }
 
-// The last door in front of the drive. Whatever went wrong before it (a path that does not begin
-// where the axis stands, a fault in a transformation): a command that is far beyond what the axis
+// The last check in front of the drive. Whatever went wrong before it (a path that does not begin
+// at the axis' position, a fault in a transformation): a command that is far beyond what the axis
 // can do in a tick is not passed on. The axis brakes by itself, and the machine stops. Planned
-// motion keeps the axis' own limits (can_reach), of a coupled axis those of its drive; the fourfold
-// leaves room for what is added.
+// motion keeps the axis' own limits (can_reach), of a coupled axis those of its drive; the factor
+// of four leaves a margin for added motion.
 void AxisUnit::watch_command() noexcept {
-    // and stands then, until the fault is cleared
+    // and remains stopped until the fault is cleared
     const bool brakes = fault_ == Fault::CommandJump;
     if (!brakes && std::fabs(target_ - command_) <= most_in_a_tick_) return;
     if (!faulted()) {

@@ -64,15 +64,15 @@ public:
     Fault fault() const noexcept { return fault_; }
     double fault_value() const noexcept { return fault_value_; }
     void clear_fault() noexcept { fault_ = Fault::None; }
-    // What its drive says while it is off and has been told to reset its fault.
+    // What its drive reports while it is off and has been commanded to reset its fault.
     bool drive_fault_stays() const noexcept {
         return polyturn_drive_has_fault(status_.status) || status_.lost > config_.servo.drive_lost;
     }
-    // what its drive is to play, if it is a simulated one
+    // behaviour of its drive, if it is a simulated one
     std::uint16_t simulate = 0;
     bool closed() const noexcept { return closed_; }  // the position loop
     double output_speed() const noexcept { return output_; }
-    // What is owed after machine on with follow-up (N0514 FUP): the way back to the kept command; 0
+    // The lag after machine on with follow-up (N0514 FUP): travel back to the saved command; 0
     // none. Read once.
     double take_return_path() noexcept;
     // It leads a spindle into a thread, or no more (PositionLoop::tap_with).
@@ -104,13 +104,13 @@ public:
         target_ = own_target + added + overlay_;
     }
     double added() const noexcept { return added_; }
-    // A superposed handwheel: its way lies behind everything that programs command.
+    // A superposed handwheel: its travel is added behind everything that programs command.
     void overlay(double by) noexcept {
         target_ += by - overlay_;
         overlay_ = by;
     }
     double overlay() const noexcept { return overlay_; }
-    // The superposed way becomes the axis' own: nothing moves.
+    // The superposed travel becomes the axis' own: nothing moves.
     void take_overlay() noexcept {
         own_command_ += overlay_;
         own_target_ += overlay_;
@@ -119,16 +119,16 @@ public:
     // at the start of this tick, without what a master adds
     double own() const noexcept { return own_command_; }
     double own_target() const noexcept { return own_target_; }
-    // moved beside the path: no record moves it
+    // moved asynchronously: no record moves it
     bool beside = false;
-    // stands at its fixed stop under a torque limit (fixed_stop.cpp)
+    // at its fixed stop under a torque limit (fixed_stop.cpp)
     bool pressing = false;
     // the limit was taken away: the command goes back to where the slide is
     bool leaves_stop = false;
     // what the move that ended there allowed, thousandths
     std::uint16_t stop_torque = 0;
     double pressed_at = 0;  // where
-    // synchronous: nobody but its master may move it
+    // synchronous: only its master may move it
     bool slave = false;
     // it follows the turns of a spindle (spindle_couplings.hpp)
     bool geared = false;
@@ -139,8 +139,8 @@ public:
         compensation_speed_ = speed;
     }
     double compensation() const noexcept { return compensation_; }
-    // What its drive gets beside its own loop in the next exchange: a coupled slide goes after its
-    // master's deviation (N0522).
+    // What its drive gets in addition to its own loop in the next exchange: a coupled slide goes
+    // after its master's deviation (N0522).
     void pull(double speed) noexcept { pull_ = speed; }
     double torque() const noexcept { return status_.torque; }  // thousandths of the rated one
     bool torque_limited() const noexcept { return status_.limited != 0; }
@@ -168,7 +168,7 @@ public:
     bool open_direct(unsigned number, const AxisConfig& device, double tick_s);
     void* direct_drive() const noexcept { return direct_drive_; }
     EncoderCount& encoder() noexcept { return count_; }
-    // its drive has told where it stands
+    // its drive has reported its position
     bool answered() const noexcept { return count_.known() && status_.lost == 0; }
     // Zero pulses and marks of the encoder: armed, one that passes is latched.
     void watch_mark(bool on) noexcept { mark_armed_ = on; }
@@ -195,7 +195,7 @@ private:
     // remainder: of the speed command, thousandths of a pulse
     double output_ = 0, remainder_ = 0;
     double compensation_ = 0, compensation_speed_ = 0, pull_ = 0;
-    // way of a command that no planning makes longer
+    // limit of one tick's travel that planning never exceeds
     double most_in_a_tick_ = 0;
     // mm/s, mm/s2; see can_reach(); infinity: no such limit
     double fastest_ = 0, hardest_ = 0;

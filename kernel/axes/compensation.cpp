@@ -9,7 +9,7 @@ namespace {
 constexpr double kShare = 0.02;      // of rapid and acceleration that compensation may use
 constexpr double kJerkShare = 0.05;  // of the jerk
 constexpr double kFollow = 100;      // 1/s, how fast the sum is followed
-// mm, degrees: less is noise, or a drive that comes to rest
+// mm, degrees: less is noise, or a drive that settles
 constexpr double kReversal = 2e-3;
 constexpr double kThere = 1e-9;  // mm
 constexpr double kMmPerInch = 25.4;

@@ -1,5 +1,5 @@
-// What the measured errors of the machine add to the command behind the position that everybody
-// sees (nct_parameters_part2 26 to 29): pitch in both directions with a periodic second table,
+// Compensation of measured machine errors: what is added to the command behind the displayed
+// position (nct_parameters_part2 26 to 29): pitch in both directions with a periodic second table,
 // four-point gradient, straightness of one axis by another, the volumetric grid, and the
 // temperature of the axis (PT_TEMP_*, AP_TEMP).
 //
@@ -10,11 +10,11 @@
 //         |--*            '*--
 //         +--10499--10500--10501---> L
 //
-// The sum is not given out as it is: it is followed within a share of the axis' speed, acceleration
-// and jerk, so that switching a table on, a reversal with two tables, or a sensor that jumps makes
+// The sum is not output directly: it is followed within a share of the axis' speed, acceleration
+// and jerk, so that switching a table on, a reversal with two tables, or a jump of a sensor makes
 // no step. Only a referenced axis is compensated; others fade to 0. Tables are loaded before the
 // cyclic thread begins; a tick looks up, it never searches. Cost: a few multiplications for each
-// axis that is compensated at all.
+// compensated axis.
 #pragma once
 #include <array>
 #include <cstdint>

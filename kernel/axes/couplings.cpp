@@ -209,13 +209,14 @@ bool Couplings::contradicts(const Core& core, std::size_t a, bool sync, bool add
                             bool mix) const noexcept {
     const Link& link = links_[a];
     if (static_cast<int>(sync) + static_cast<int>(add) + static_cast<int>(mix) > 1) return true;
-    if ((sync || add) && link.route) return true;  // it is lent to another address
+    if ((sync || add) && link.route) return true;  // its drive is at another address
     if (link.ring &&
         (core.signals.plc(signals::ap_syncr(a + 1)) || core.signals.plc(signals::ap_sprpnr(a + 1))))
         return true;
     if (!mix || link.route) return false;
     const Link& other = links_[link.exchange_with - 1];
-    return other.route || other.sync.on || other.add.on;  // that one is lent, or follows, already
+    return other.route || other.sync.on || other.add.on;  // that drive is at another address, or
+                                                          // follows, already
 }
 
 void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
@@ -280,10 +281,10 @@ void Couplings::exchange(Core& core, std::size_t a) noexcept {
     core.signals.set_nc(signals::an_mixa(a + 1), link.route != 0);
 }
 
-// N2103 is what may be between the slides of a gantry, whoever moves them: also while a loop is
-// open and its slide stays behind (nct_parameters_part2 22.3). Before both have their reference
-// points their numbers have nothing to do with each other: then what counts is how much their
-// distance has changed since the machine was switched on.
+// N2103 is the permitted skew between the slides of a gantry, whatever moves them: also while a
+// loop is open and its slide stays behind (nct_parameters_part2 22.3). Before both have their
+// reference points their numbers have nothing to do with each other: then what counts is how much
+// their distance has changed since the machine was switched on.
 void Couplings::watch_gantry(const Core& core, Link& link, std::size_t a) noexcept {
     const AxisUnit &axis = core.axes[a], &master = core.axes[link.sync.master - 1];
     const double apart = link.sync.sign * master.measured() - axis.measured();
@@ -317,9 +318,9 @@ double Couplings::gantry_pull(Core& core, Link& link, std::size_t a) noexcept {
     return v * dt;
 }
 
-// Both slides deviate from what they are told, the heavier one more. N0522 also lets the slave go
-// after what its master has not reached yet: their difference is corrected by the loops' gain and
-// N0522 together, what they have in common by the loops alone.
+// Both slides deviate from their commands, the heavier one more. N0522 also lets the slave follow
+// what its master has not reached yet: their difference is corrected by the loops' gain and N0522
+// together, their common deviation by the loops alone.
 void Couplings::pull_after_master(Core& core, const Link& link, std::size_t a) noexcept {
     AxisUnit& axis = core.axes[a];
     const AxisUnit& master = core.axes[link.sync.master - 1];

@@ -5,24 +5,24 @@
 //   switch-on ]
 //                                                [ synchronous:  own target := s * way of the master     ]  --> target()
 //
-// What its own channel commands and where the axis goes are two numbers of AxisUnit: own() and
-// command(). A superimposed axis adds its master's way to its own; a synchronous one has no way of
-// its own. Masters are evaluated before their slaves, so that a chain has no lag. All is position
+// An axis' own command and its position are two numbers of AxisUnit: own() and command(). A
+// superimposed axis adds its master's travel to its own; a synchronous one has no travel of its
+// own. Masters are evaluated before their slaves, so that a chain has no lag. All positions count
 // from a reference taken at standstill: nothing is summed up tick by tick, the commanded difference
 // of coupled slides is constant.
 //
-// Limits: a master is no faster or steeper than its slaves can be, and an axis with a superimposed
-// way has half of its limits for its own; core.config.axes says so to everybody in here (jogs,
-// references, emergencies), the channels find the same for themselves.
+// Limits: a master is limited by its slaves, and an axis with superimposed travel has half of its
+// limits for its own; core.config.axes has the result for all users in the kernel (jogs,
+// references, emergencies), the channels compute the same for themselves.
 //
 // Switching: PLC levels AP_SYNCR, AP_SPRPNR, AP_MIXR of the slave. It waits until slave and masters
 // rest and their channels have nothing planned ahead: what was planned with other limits and
 // coordinates is never driven, and the switch makes no step of the command. When that has not come
 // after PT_COUPLE_TIMEOUT, or requests contradict each other (two roles for one axis, two owners of
-// one drive, a ring), it is refused: an alarm names the axis, whoever moves it stops, and the state
+// one drive, a ring), it is refused: an alarm names the axis, its mover stops, and the state
 // stays until the request is withdrawn or the alarm's reset asks again. An exchange (composite)
-// moves nothing in here: it tells the channels which drive is behind an address (route), and they
-// read it at the barrier at which the M code that switched has left them.
+// moves nothing in here: it reports to the channels which drive is behind an address (route), and
+// they read it at the barrier at which the M code that switched has left them.
 //
 // Cost: one pass over the axes that parameters couple at all; nothing for the others.
 #pragma once
@@ -58,7 +58,7 @@ public:
     std::uint32_t master_of(std::size_t a) const noexcept {
         return links_[a].sync.on ? links_[a].sync.master : superimposed_master(a);
     }
-    // Axis (from 1) whose gantry slave it is; 0 none. And the way it counts against it.
+    // Axis (from 1) whose gantry slave it is; 0 none. And its sense against it.
     std::uint32_t gantry_master(std::size_t a) const noexcept {
         return links_[a].gantry ? links_[a].sync.master : 0;
     }
@@ -66,7 +66,7 @@ public:
     // Channels whose axes have other limits or coordinates since this tick: what they have driven
     // is not driven back.
     ChannelSet changed() const noexcept { return changed_; }
-    // A request that this tick has refused; axis 0: none. Whoever moves either axis is to stop.
+    // A request that this tick has refused; axis 0: none. The mover of either axis must stop.
     struct Refusal {
         std::uint32_t axis = 0, other = 0;  // from 1
         Alarm number = Alarm::CoupleTimeout;

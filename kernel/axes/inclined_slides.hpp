@@ -1,17 +1,17 @@
-// An inclined X slide moved without a program (fanuc_lathe 10.5): by hand, and on its way to its
-// reference point. What the operator moves is X at right angles; the slide drives along itself and
-// takes Z with it, so that the tip stays at its Z.
+// An inclined X slide moved without a program (fanuc_lathe 10.5): by hand and during referencing.
+// The operator moves X at right angles; the slide drives along itself and moves Z with it, so that
+// the tip stays at its Z.
 //
 //        slide  /|        X by d at right angles:  slide by d / cos(a),  Z by -d * tan(a)
-//              / |  d     so a way s of the slide takes Z by -s * sin(a)
+//              / |  d     so travel s of the slide moves Z by -s * sin(a)
 //             /a |
 //   ---------+---+---> Z
 //
 // NOZAGC leaves Z where it is; so does F8200 AZR = 1 while the slide is being referenced. Programs
 // do the same on their own (channels).
 //
-// Positions count from where both stood when the motion began: nothing is summed up tick by tick,
-// and the way back ends where it began. Cost: a look at each axis a tick.
+// Positions count from where both were when the motion began: nothing is summed up tick by tick,
+// and the return ends where it began. Cost: a look at each axis a tick.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -33,8 +33,8 @@ public:
 
     // The axis (from 0) is an inclined slide; nullptr: it is not.
     const Slide* of(const Core& core, std::uint32_t axis) const noexcept;
-    // The slide's motion begins: Z comes along until follow() hears that it is over.
-    // `always`: on the way back from where it came along, whatever NOZAGC says by now.
+    // The slide's motion begins: Z moves along until follow() is called at its end.
+    // `always`: on the return from where it moved along, whatever NOZAGC is now.
     void begin(Core& core, std::uint32_t axis, bool always = false) noexcept;
     // New parameters wait for the end of a motion: it ends as it began.
     bool take_due() noexcept { return std::exchange(due_, false); }

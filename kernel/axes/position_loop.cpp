@@ -6,7 +6,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kPi = 3.14159265358979323846;
-// the play is taken up within about this time, not in one step
+// the backlash is taken up within about this time, not in one step
 constexpr double kPlayS = 0.01;
 constexpr double kSettleS = 0.2;   // a stop's lag has died out by then, if the drive follows
 constexpr double kFadeEnd = 0.01;  // below this share a fading boost is over
@@ -146,7 +146,7 @@ double PositionLoop::speed(double target, bool rapid) noexcept {
     return out;
 }
 
-// Motor to slide: the play that the direction of travel has taken up.
+// Motor to slide: the backlash that the direction of travel has taken up.
 double PositionLoop::compensated(double motor) noexcept {
     if (config_.backlash == 0) return motor;
     const double wanted = direction_ < 0 ? -config_.backlash : 0.0;

@@ -1,6 +1,6 @@
-// The position loop of one axis: from the command of a tick to the speed that the drive is asked
-// for, with what it knows of filters, feed-forward, play and sticking; and the judge of the
-// following error (nct_parameters_part1 7.2, 7.6 to 7.8).
+// The position loop of one axis: from the command of a tick to the speed command of the drive, with
+// filters, feed-forward, backlash and stiction compensation; and the monitoring of the following
+// error (nct_parameters_part1 7.2, 7.6 to 7.8).
 //
 //   cmd --mean (N0421 JRK)----> c
 //   c --LP T1--> p1 --LP T2, delay TD--> pe --(-)--> e --K, threshold--> + --> speed
@@ -11,7 +11,7 @@
 // the same moment: a reading that is a tick late leaves no error behind. 2d/w is the lag of the
 // drive: with A = 1 an ideal drive follows without error, with A = 0 it lags by v / K.
 //
-// Play (N0523) is added to the motor's command when the direction changes, and taken out of its
+// Backlash (N0523) is added to the motor's command when the direction changes, and taken out of its
 // reading, so that both stay the slide's. Positions in mm or degrees; nothing here knows a machine
 // coordinate but as a number that can be shifted.
 #pragma once
@@ -25,7 +25,7 @@ namespace polyturn::kernel {
 class PositionLoop {
 public:
     void configure(const ServoConfig& config, double tick_s) noexcept;
-    // Command and measurement are the same from here on; nothing is owed.
+    // Command and measurement are the same from here on; no lag remains.
     void reset(double position) noexcept;
     void shift(double by) noexcept;
 
@@ -52,8 +52,8 @@ public:
     void measured(double motor) noexcept;
     void measured_direct(double motor, double slide) noexcept;  // dual loop (7.9)
 
-    double position() const noexcept { return slide_; }  // measured, play taken out
-    // what of the command it has not led it yet (N0421 JRK)
+    double position() const noexcept { return slide_; }  // measured, backlash taken out
+    // the part of the command not yet output (N0421 JRK)
     double owed() const noexcept { return lag_; }
     // of the command and measurement of the same moment
     double error() const noexcept { return error_; }
@@ -63,7 +63,7 @@ public:
     bool dual_differs() const noexcept { return dual_differs_; }
 
 private:
-    // An extra speed that ends by time, way or event and then fades as A / n.
+    // An extra speed that ends by time, travel or event and then fades as A / n.
     struct Boost {
         double speed = 0;
         std::int64_t ticks = 0;  // since it began; fading: since it ended

@@ -1,6 +1,5 @@
-// A request to couple axes that cannot be granted (couplings.hpp): the channel of the axis has the
-// alarm, and whoever moves one of the two axes stops, so that the refusal finds everything at rest
-// and as it was.
+// A request to couple axes that cannot be granted (couplings.hpp): the channel of the axis gets the
+// alarm, and the movers of both axes stop, so that everything is at rest and unchanged.
 #include "kernel/tick/machine.hpp"
 
 namespace polyturn::kernel {

@@ -23,7 +23,7 @@ void AxisJog::keep_distance(double distance, double sign) noexcept {
     const double end = std::min(state_.s + distance, room_);
     if (!active_ || !aims_ || sign != sign_ || end <= end_) return;
     end_ = end;
-    landing_now_ = false;  // whoever could stand at the nearer end can at the farther one
+    landing_now_ = false;  // if it can stop at the nearer end, it can at the farther one
 }
 
 double AxisJog::step(double tick_s) noexcept {
@@ -32,13 +32,13 @@ double AxisJog::step(double tick_s) noexcept {
         const PathState next = towards_speed(state_, wanted ? limits_.speed : 0.0,
                                              limits_.acceleration, 0.98 * limits_.jerk, tick_s);
         const double left = end_ - state_.s;
-        // The next state must still be able to stand at the end; when it is not, land now, which
-        // this one can.
+        // The next state must still be able to stop at the end; if it is not, land now: this state
+        // still can.
         if (left < 1e300 && stopping_distance(next.v, next.a, limits_.acceleration,
                                               0.98 * limits_.jerk) > end_ - next.s) {
             landing_now_ = landing_.aim(state_.v, state_.a, left, limits_.acceleration,
                                         limits_.jerk * 1e-6, limits_.jerk);
-            // shorter than a tick can tell
+            // shorter than a tick can resolve
             if (!landing_now_ && state_.v == 0) {
                 landing_.at_once(left);
                 landing_now_ = true;

@@ -1,6 +1,6 @@
-// One axis moved by hand (jog, step, handwheel): motion beside the path that needs no channel
-// process (architecture 5.7). Within the axis' velocity, acceleration and jerk; stops before the
-// end of the stroke.
+// One axis moved by hand (jog, step, handwheel): asynchronous motion that needs no channel process
+// (architecture 5.7). Within the axis' velocity, acceleration and jerk; stops before the end of the
+// stroke.
 #pragma once
 #include <cstdint>
 
@@ -28,11 +28,11 @@ public:
     void keep(std::int64_t ticks, double sign) noexcept {
         if (active_ && !aims_ && sign == sign_ && ticks_ > 0 && ticks > ticks_) ticks_ = ticks;
     }
-    // Of one that goes a distance: at least so far from where it is now, if it goes that way. What
-    // it already aims at is not added up.
+    // Of a jog by distance: at least so far from the present position, if it goes in that
+    // direction. The present target is not added to.
     void keep_distance(double distance, double sign) noexcept;
     bool active() const noexcept { return active_; }
-    // of what is still to be driven; 0: it stands and waits
+    // of what is still to be driven; 0: it is stopped and waits
     void limit_speed(double speed) noexcept { limits_.speed = speed; }
     bool stands() const noexcept { return state_.v == 0 && limits_.speed == 0; }
     double sign() const noexcept { return sign_; }
@@ -43,7 +43,7 @@ public:
 
 private:
     bool active_ = false, aims_ = false, landing_now_ = false;
-    double from_ = 0, sign_ = 1, end_ = 0;  // end_: s at which it must stand
+    double from_ = 0, sign_ = 1, end_ = 0;  // end_: s at which it must be stopped
     double room_ = 0;
     Limits limits_;
     std::int64_t ticks_ = 0;

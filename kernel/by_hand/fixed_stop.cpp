@@ -1,5 +1,5 @@
-// Travel to a fixed stop: an axis whose drive may give only the torque AP_TORQ is met by something
-// that stands in its way. It stands there when the drive is at its limit, the slide rests, and the
+// Travel to a fixed stop: an axis whose drive may give only the torque AP_TORQ meets an obstacle.
+// It is at the stop when the drive is at its limit, the slide is at rest, and the
 // command is PT_STOP_ERROR ahead: AN_FIXED. What moves it stops (a jog here, a record with
 // kFixedStop by itself: channel_runner), and it presses until the limit is taken away; then the
 // command goes back to where the slide is.

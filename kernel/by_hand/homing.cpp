@@ -65,7 +65,7 @@ void Homing::start(Permit, AxisUnit& axis, bool drive_ready, double tick_s,
         go(axis, Phase::Seek, sign, r.feed, 0, tick_s);
     } else if (r.by_switch) {
         go(axis, Phase::ToSwitch, r.distance < 0 ? -1.0 : 1.0, r.rapid, 0, tick_s);
-    } else {  // floating, or no type at all: where it stands is its reference point
+    } else {  // floating, or no type at all: its position is its reference point
         if (r.floating) found(axis, axis.command(), r.position);
         axis.referenced = true;
         state_ = State::Done;
@@ -110,7 +110,7 @@ bool Homing::seek(AxisUnit& axis) noexcept {
     return false;
 }
 
-// Two neighbours of a coded scale: their distance tells where the first of them is (the maker's
+// Two neighbours of a coded scale: their distance gives the position of the first one (the maker's
 // formula, part 1, 10.2 D).
 bool Homing::coded_mark(AxisUnit& axis, double at) noexcept {
     const ReferenceConfig& r = axis.config().reference;
@@ -178,7 +178,7 @@ Homing::State Homing::step(AxisUnit& axis, bool on_switch, bool drive_ready,
     }
     if (motion_.active()) axis.move_to(motion_.step(tick_s));
     if (motion_.active()) return state_;
-    switch (phase_) {  // it stands: what comes next?
+    switch (phase_) {  // at standstill: the next step
         case Phase::StopOnSwitch:
             if (r.on_switch && r.by_pulse) {
                 axis.watch_mark(true);

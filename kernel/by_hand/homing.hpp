@@ -1,5 +1,5 @@
-// One axis on its way to its reference point (nct_parameters_part1 10.2). It owns the axis' motion
-// until it is over.
+// One axis referencing (nct_parameters_part1 10.2). The reference run owns the axis' motion until
+// it is over.
 //
 //   A  switch                 ToSwitch -> Stop -> Leave (latch at the edge) -> Stop -> Shift
 //   B  switch, zero pulse     ToSwitch -> Stop -> Leave -> Seek (1/4 to 3/4 of a pulse distance) ->
@@ -9,8 +9,8 @@
 //   D  coded marks            Seek, Seek -> Stop
 //   E  absolute encoder       at once         F  by its drive: Await AP_RPE      floating: where it stands
 //
-// The place of a signal gets its machine position as soon as it is known: the axis then decelerates
-// beyond it, and the position switches work while it does.
+// The position of a signal gets its machine coordinate as soon as it is known: the axis then
+// decelerates beyond it, and the position switches work meanwhile.
 #pragma once
 #include <cstdint>
 

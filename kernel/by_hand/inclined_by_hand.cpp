@@ -1,5 +1,5 @@
-// What jogs, wheels and references ask when the axis is an inclined slide, whose motion takes the
-// one at right angles along.
+// Jogs, handwheels and reference runs of an inclined slide, whose motion moves the axis at right
+// angles too.
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +63,7 @@ double Machine::room_by_hand(std::uint32_t a, double sign) const noexcept {
                : core_.stroke.room(core_, a, sign);
 }
 
-// Something stands in the way of an axis that does not move by itself: what takes it along stops.
+// An axis that is moved by an inclined slide cannot go on: the inclined slide stops.
 void Machine::stop_carrier(std::uint32_t a) noexcept {
     const std::uint32_t l = slides_.carrier(core_, a);
     if (!l) return;

@@ -1,5 +1,5 @@
-// Axes moved by hand: jog for a time, step a distance, turn a handwheel; in a hold, with a way back
-// that is remembered.
+// Axes moved by hand: jog for a time, step a distance, turn a handwheel; in a hold, with a return
+// path that is stored.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kMmPerInch = 25.4;
-// without a pulse for so long: a panel tells some times a second how far a wheel was turned
+// without a pulse for so long: a panel reports some times a second how far a handwheel was turned
 constexpr double kWheelStandsS = 0.1;
 constexpr std::int64_t kByRegister = 1, kByParameter = 2;  // N0316; 3: the feed of the program
 
@@ -179,12 +179,11 @@ void Machine::jog_command(const Command& c) noexcept {
     // what the operator asks for is X at right angles
     const double longer = slide ? 1.0 / slide->cosine : 1.0;
     if (axis.moving() || jogs_[a].active() || slides_.carrier(core_, a)) {
-        // A panel tells again and again that its key is held, so that an axis stops when the panel
-        // dies.
+        // A panel repeats that its key is held, so that an axis stops when the panel dies.
         const bool held = kind == CommandKind::Jog && jogs_[a].active() && jogs_[a].sign() == sign;
         if (held) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
-        // Pulses that come while it moves: collected, or with the wheel's N2400 HnM (part 2, 25) no
-        // more than a sign that it is still turned.
+        // Pulses that come while it moves: collected, or with the handwheel's N2400 HnM (part 2,
+        // 25) no more than a sign that it is still turned.
         if (stops_with_wheel)
             turn_on(a, sign, size * handwheel_increment(address) * longer);
         else if (by_handwheel)
@@ -216,8 +215,8 @@ void Machine::jog_command(const Command& c) noexcept {
     }
 }
 
-// The wheel that moves the axis, and with which it stops, has been turned further; turned back, it
-// is no longer turned that way.
+// The handwheel that moves the axis, and with which it stops, has been turned further; turned back,
+// it no longer counts as turned in that direction.
 void Machine::turn_on(std::uint32_t a, double sign, double way) noexcept {
     if (handwheel_turned_[a] == 0) return;  // something else moves the axis
     if (sign != jogs_[a].sign()) {
@@ -243,7 +242,7 @@ void Machine::begin_return(std::uint32_t channel) noexcept {
     return_path_[channel - 1].going = true;
 }
 
-// What the operator moved in the hold goes back the same way, the last move first.
+// Moves of the operator in the hold are taken back on the same path, the last move first.
 void Machine::go_back() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         ReturnPath& way = return_path_[l];
@@ -287,7 +286,8 @@ void Machine::run_jogs() noexcept {
             if (const auto permit = MotionGate::ask(core_, Door::FollowUp, 0))
                 start_jog(*permit, a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);
         const InclinedSlides::Slide* slide = slide_of(a);
-        // What cannot be driven now is not kept for a moment when nobody turns the wheel.
+        // Pulses that cannot be driven now are not stored: the axis must not move later, when the
+        // handwheel is not turned.
         if (!core_.on() || core_.all_stop || slides_.carrier(core_, a) ||
             (slide && !core_.signals.plc(signals::nozagc(core_.config.axes[a].channel)) &&
              !jogs_[a].active() && !square_rests(*slide)))
@@ -369,13 +369,13 @@ void Machine::give_time(Permit, std::uint32_t group, double seconds) noexcept {
 }
 
 void Machine::turn_handwheels() noexcept {
-    constexpr double kFollowS = 0.2;  // what is owed is driven within about this time
+    constexpr double kFollowS = 0.2;  // the lag is made up within about this time
     constexpr double kNothingS = 1e-3;
     for (std::uint32_t group = 1; group < program_handwheel_.size(); ++group) {
         if (!program_handwheel_[group] && !program_handwheel_shown_[group]) continue;
         program_handwheel_shown_[group] = program_handwheel_[group];
         double& owed = program_time_[group];
-        // who cannot go further back keeps the others with it
+        // one that cannot go further back stops the others too
         for (std::uint32_t l = 0; l < kMaxChannels; ++l)
             if (core_.config.channels[l].exists && core_.config.channels[l].group == group &&
                 channels_[l]->handwheel_blocked() && owed < 0)

@@ -1,6 +1,6 @@
-// Axes that move beside the paths (architecture 5.7): PLC axes (AP_PAXR) and positioning axes of a
-// program (record Beside). Each has its own feed, several go at once; an event says when one begins
-// and when it rests. And the watch over the contour.
+// Asynchronous axes (architecture 5.7): PLC axes (AP_PAXR) and positioning axes of a program
+// (record Beside). Each has its own feed, and several move at once; events report when one begins
+// and when it is at rest. Also the contour monitoring.
 //
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
@@ -9,7 +9,7 @@
 // that is over. The PLC must allow it (AP_PAXENA), and may end it without ending anything else
 // (AP_PAXRST; fanuc_lathe 10.4.6).
 //
-// A positioning axis of a program obeys its channel: it stands in a hold and at override 0, goes on
+// A positioning axis of a program obeys its channel: it stops in a hold and at override 0, goes on
 // with the program, and ends where it is with a reset or an alarm. Machine lock lets it be where it
 // is to be without moving.
 #include <cmath>
@@ -18,11 +18,11 @@
 
 namespace polyturn::kernel {
 namespace {
-// an axis that its path has just left may take so long to stand
+// an axis that its path has just left may take so long to stop
 constexpr double kComesToRestS = 1.0;
 constexpr double kPositioningStandstillRevS = 1e-3;
 
-// A feed per revolution of a spindle that stands would wait for ever. As on the path, the PLC may
+// A feed per revolution of a stopped spindle would wait for ever. As on the path, the PLC may
 // still be writing SP_ROT: some of its cycles of grace.
 bool needs_spindle_standstill(const Core& core, Core::PositioningRequest& wish,
                               bool holds) noexcept {
@@ -178,8 +178,8 @@ void Machine::run_positioning() noexcept {
     watch_contours();
 }
 
-// How far the measured axes are beside the path that they are commanded to drive: what of the
-// following errors is not along it.
+// Distance of the measured axes from the commanded path: the part of the following errors that is
+// not along it.
 void Machine::watch_contours() noexcept {
     for (std::uint32_t l = 1; l <= kMaxChannels; ++l) {
         const double tolerance = core_.config.channels[l - 1].contour_tolerance;

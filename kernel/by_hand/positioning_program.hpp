@@ -1,5 +1,5 @@
-// The program that an axis runs beside the path of its channel (B axis, fanuc_lathe 10.4): steps
-// that the channel's program has handed over, done one after the other while the path goes on.
+// The program of a positioning axis (B axis, fanuc_lathe 10.4): steps that the channel's program
+// has handed over, executed one after the other while the path goes on.
 //
 //   path records   M81  Begin Move Dwell Function Move End   G1 ..   M82  Begin ...
 //   queue               '--------- started: 1 ----------'            '-- started: 2, runs behind it
@@ -8,8 +8,8 @@
 //   I1  The queue never grows beyond its capacity: the path waits with Begin and Room records until
 //   there is room. I2  M, S and T of a step go to the PLC at the axis (AN_PAXFSTR), apart from
 //   those of the path. I3  A reset, an alarm or the end of the program clears it; the axis comes to
-//   rest by itself (beside.cpp). I4  An axis does one program at a time (Core::PositioningTurn),
-//   whichever channels have started them: in the order of their starts.
+//   rest by itself (positioning_axis.cpp). I4  An axis does one program at a time
+//   (Core::PositioningTurn), whichever channels have started them: in the order of their starts.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -22,7 +22,7 @@ struct PositioningTask {
     PositioningStep what = PositioningStep::Plain;
     std::uint8_t axis = 0;  // machine axis, from 0
     char letter = 0;        // Function: M, S or T
-    // by_way: value counts from where the axis stood when its program began
+    // by_way: value counts from the axis' position when its program began
     bool per_turn = false, by_way = false;
     double value = 0;  // Move: target; Dwell: seconds; Function: number
     double speed = 0;  // Move: mm/s, or mm a revolution; 0 rapid
@@ -88,7 +88,7 @@ public:
 
     bool begun = false;  // now() has begun
     double left_s = 0;   // of a dwell
-    double base = 0;     // where the axis stood when the program began
+    double base = 0;     // the axis' position when the program began
 
 private:
     std::vector<PositioningTask> tasks_;  // sized once, before the cyclic thread runs

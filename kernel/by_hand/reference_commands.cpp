@@ -50,9 +50,10 @@ void Machine::run_homing() noexcept {
         core_.home_failed[a] = !may;
         to_reference_[a] = may;
     }
-    // whoever moves an axis beside the path says so in this tick, here and in run_jogs
+    // asynchronous motion is reported in its tick, here and in run_jogs
     core_.jogging = 0;
-    // Whose turn is it? Axes of one order go together; the next order waits for them.
+    // Selects the axes that reference next. Axes of one order go together; the next order waits for
+    // them.
     std::uint32_t turn = ~0u;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (to_reference_[a] || homing_[a].active())

@@ -1,10 +1,10 @@
-// A superposed handwheel: while a channel has it switched on, a wheel adds its way to an axis that
-// a program moves. What it has added stays (AxisStatus::overlay) until the channel's next reset,
-// when it becomes part of the axis' own position.
+// A superposed handwheel: while a channel has it switched on, it adds its travel to an axis that a
+// program moves. The added travel stays (AxisStatus::overlay) until the channel's next reset, when
+// it becomes part of the axis' own position.
 //
-// Both ways together keep the axis' limits: a path that is planned while the wheel is superposed
-// leaves kOverlayShare of velocity, acceleration and jerk to it (ChannelRunner::supply), and the
-// wheel acts only once such a path is driven.
+// Both motions together keep the axis' limits: a path that is planned while the handwheel is
+// superposed leaves kOverlayShare of velocity, acceleration and jerk to it (ChannelRunner::supply),
+// and the handwheel acts only once such a path is driven.
 #include <cmath>
 #include <utility>
 

@@ -171,8 +171,8 @@ void ChannelRunner::take_keys() noexcept {
 
 // Whether single block stops behind a record. What follows of its block belongs to it (M3 S500 G1
 // Z-1. is one block), except the next move: a cycle is driven move by move. A macro statement is no
-// block (fanuc_lathe 6.7), nor is what a program says beside its path: that it puts single block
-// off, for one.
+// block (fanuc_lathe 6.7), nor is a statement outside the path, such as the one that suppresses
+// single block.
 bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
     const PathRecord& r = record(index);
     if (!(r.flags & kBlockEnd) || (!is_motion(r) && (r.flags & kMoreBehind)) ||

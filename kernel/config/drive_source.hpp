@@ -1,4 +1,4 @@
-// Where the drive of an axis or spindle lies (PT_DRIVE, PT_SPINDLE_DRIVE): simulated in the kernel,
+// Source of the drive of an axis or spindle (PT_DRIVE, PT_SPINDLE_DRIVE): simulated in the kernel,
 // the machine's drive.so, or a process behind the drive segment (kernel/drives/drive_segment.h).
 #pragma once
 #include <cstdint>

@@ -1,7 +1,6 @@
-// What the cyclic thread needs of the parameters, in the units it computes with (mm, degrees,
-// seconds, 1/min), so that no tick divides by 60 or asks which unit the machine was built in. Made
-// from the table at the start and again at the tick start at which parameters change; building it
-// allocates nothing.
+// The parameters as the cyclic thread needs them, in its units (mm, degrees, seconds, 1/min), so
+// that no tick divides by 60 or checks the machine's unit. Made from the table at the start and
+// again at the start of a tick at which parameters change; building it allocates nothing.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -86,8 +85,8 @@ struct ChannelConfig {
     bool stops_at_wanted = true;         // PT_PARTS_STOP
     bool feed_needs_spindle = true;      // PT_FEED_WAITS
     std::int64_t increments = 2;         // N0105
-    double handwheel_time_s = 0.02;      // PT_WHEEL_TIME: of the program, a click
-    std::array<char, 3> aux_letters{};   // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
+    double handwheel_time_s = 0.02;      // PT_WHEEL_TIME: of the program, a detent
+    std::array<char, 3> aux_letters{};   // N1333 to N1335: their values go to CN_AUX1C to CN_AUX3C
     ChannelStroke stroke;
     double contour_tolerance = 0;  // PT_CONTOUR_TOL, mm; 0: not watched
     bool gear_opens = false;       // N1800 RCE

@@ -1,5 +1,5 @@
-// Position loop, supervision and reference of one axis, as N0500 to N0540 and N0900 to N0909 say,
-// in mm (degrees) and seconds.
+// Position loop, supervision and reference of one axis, from N0500 to N0540 and N0900 to N0909, in
+// mm (degrees) and seconds.
 #pragma once
 #include <cstdint>
 
@@ -48,7 +48,7 @@ struct ServoConfig {
     std::uint16_t drive_lost = 3;            // PT_DRIVE_LOST, cycles
     bool position_mode = false;              // csp: the drive closes the position loop
     double drive_held = -1e6;                // mm; -1e6: nothing holds it
-    double drive_stop = 1e6;                 // mm; 1e6: nothing stands there
+    double drive_stop = 1e6;                 // mm; 1e6: no limit there
     double stop_error = 1, stop_window = 1;  // PT_STOP_ERROR, PT_STOP_WINDOW
     bool drive_scale = false;                // measured behind the backlash
 };
@@ -66,7 +66,7 @@ struct ReferenceConfig {
     double shift = 0;                            // N0906
     double position = 0;                         // N0200
     double encoder_zero = 0;                     // N0907
-    // N0524, absolute encoders only; 0: it tells its whole position
+    // N0524, absolute encoders only; 0: it reports its whole position
     unsigned encoder_bits = 0;
     bool keeps_rounds = false;  // CIR
     std::int64_t rounds = 0;    // N0908

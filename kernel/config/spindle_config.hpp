@@ -1,7 +1,7 @@
-// What the cyclic thread needs of a spindle's parameters (nct_parameters_part1 8 and 9): what the
-// spindle is, and for each of its eight gear ranges how fast it may be, how it is ramped and how
-// its position loop is tuned. Units: revolutions, seconds; speeds as the operator says them, 1/min,
-// where they belong to turning, rev/s where they belong to positions.
+// A spindle's parameters as the cyclic thread needs them (nct_parameters_part1 8 and 9): the
+// spindle's kind, and for each of its eight gear ranges the highest speed, the ramps and the tuning
+// of the position loop. Units: revolutions, seconds; 1/min for turning speeds, rev/s for
+// positioning speeds.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Drives from outside that are called in this process: the machine builder's drive.so, and what
-// stands for one that is not there.
+// External drives that are called in this process: the machine builder's drive.so, and a substitute
+// for one that is missing.
 #include <dlfcn.h>
 
 #include "ipc/text/regular_file.hpp"

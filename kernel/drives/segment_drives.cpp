@@ -155,7 +155,7 @@ void SegmentDrives::exchange(Slot& slot, const PolyturnDriveCommand& command,
     // What was commanded last tick is draft_.cycle; its answer is the fresh one.
     const std::uint64_t old = draft_.cycle - std::min(draft_.cycle, newest_.answers[slot.index]);
     status.lost = static_cast<std::uint16_t>(std::min<std::uint64_t>(old, 0xFFFF));
-    constexpr std::uint64_t kMost = 100;  // beyond it nobody believes the last speed any more
+    constexpr std::uint64_t kMost = 100;  // beyond it the last speed is no longer valid
     status.position += slot.step * static_cast<std::int64_t>(std::min(old, kMost));
 }
 

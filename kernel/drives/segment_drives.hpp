@@ -28,7 +28,7 @@ public:
     const PolyturnDriveApi& axis_api();
     const PolyturnDriveApi& spindle_api();
 
-    // After all drives were opened: tells the drive process that it may attach, waits for its
+    // After all drives were opened: allows the drive process to attach, waits for its
     // segment and first answer.
     bool attach(std::int64_t tick_ns, std::chrono::milliseconds timeout);
     // A successor of a drive process that died: attaches to what `pid` made, for begin() to take.

@@ -2,7 +2,8 @@
 // addresses N0503, N0603). Behind it lies one drive in millionths of a degree; the spindle sees
 // whole counts of its own encoder, the axis all of it.
 //
-//   spindle --exchange--> +-------------+                 The kernel says who has the drive. The other one's command is
+//   spindle --exchange--> +-------------+                 The kernel decides who has the drive. The
+//   other one's command is
 //                         | SharedDrive | --> drive       not given out; what is measured both see. Spindles come first
 //   axis    --exchange--> +-------------+                 in a tick: without the drive they see it one tick older.
 #pragma once
@@ -38,7 +39,7 @@ private:
     void* real_;
     double counts_;
     User user_ = User::Spindle;
-    std::array<std::uint16_t, 2> simulate_{};  // what each user's drive is to play
+    std::array<std::uint16_t, 2> simulate_{};  // simulated behaviour of each user's drive
     PolyturnDriveStatus status_{};
 };
 

@@ -110,8 +110,8 @@ void SimulatedDrive::step(double commanded) noexcept {
         position_ = hold_at_;
         speed_ = acceleration_ = 0;
     }
-    // The motor pushes the slide with one flank of the play: upwards with its lower end, downwards
-    // with its upper one.
+    // The motor pushes the slide with one flank of the backlash: upwards with its lower end,
+    // downwards with its upper one.
     if (position_ > slide_)
         slide_ = position_;
     else if (position_ + backlash_ < slide_)
@@ -125,7 +125,7 @@ std::int64_t SimulatedDrive::counted(double position) const noexcept {
 
 // Zero pulses lie at whole multiples of their distance. A coded scale has its fixed marks there,
 // and behind the k-th of them another one, half way and k + 1 signal periods further: the distance
-// of two neighbours tells where they are.
+// of two neighbours gives their position.
 bool SimulatedDrive::mark_between(double from, double to, double& at) const noexcept {
     if (mark_distance_ <= 0 || from == to) return false;
     const double low = std::fmin(from, to) - mark_origin_,
@@ -149,7 +149,7 @@ bool SimulatedDrive::mark_between(double from, double to, double& at) const noex
     return false;
 }
 
-// csp: the way told for this tick as speed, and the gain on what was missed until now.
+// csp: the travel commanded for this tick as speed, and the gain on what was missed until now.
 double SimulatedDrive::positioned(const PolyturnDriveCommand& command, double feedback) noexcept {
     const double wanted =
         encoder_sign_ * static_cast<double>(command.target_position) / increments_per_unit_;
@@ -170,7 +170,7 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command,
                    : simulate_ == POLYTURN_SIMULATE_ENCODER_FAULT ? Failure::Encoder
                                                                   : Failure::None;
     }
-    // nobody hears it, and its own watchdog stops it
+    // no answer arrives, and its own watchdog stops it
     if (simulate_ == POLYTURN_SIMULATE_SILENCE) {
         if (status.lost < 0xFFFF) ++status.lost;
         state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
@@ -226,7 +226,7 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command,
     if (friction_ > 0 && std::fabs(speed_) < 1e-3 * friction_ && std::fabs(commanded) < friction_)
         commanded = 0.0;
     step(commanded);
-    // The speed controller asks for torque as long as the speed is not what it is told.
+    // The speed controller asks for torque as long as the speed is not the commanded one.
     torque_ = turns ? kTorqueOfError * (commanded - speed_) : 0.0;
 }
 

@@ -1,7 +1,7 @@
-// A drive that exists only as numbers: its speed follows the commanded one as a second-order
-// system, it counts whole increments, latches them at the start of the tick, and it can be told to
-// fail. It speaks through drive.h like any other. Play, sticking, drift, zero pulses and coded
-// marks are there when the setup names them.
+// A simulated drive: its speed follows the commanded one as a second-order system, it counts whole
+// increments, latches them at the start of the tick, and can be commanded to fail. It uses drive.h
+// like any other. Backlash, stiction, drift, zero pulses and coded marks are there when the setup
+// names them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -26,7 +26,7 @@ public:
     void fail(Failure how) noexcept { failure_ = how; }
     void jam(bool on) noexcept { jammed_ = on; }  // the rotor is held fast
     void fail(bool on) noexcept { failure_ = on ? Failure::Drive : Failure::None; }
-    // What no real drive could tell: the truth behind the encoder. Units and units per second, now.
+    // What no real drive can report: the truth behind the encoder. Units and units per second, now.
     double true_position() const noexcept { return position_; }
     double true_slide() const noexcept { return slide_; }
     double true_speed() const noexcept { return speed_; }
@@ -49,7 +49,7 @@ private:
     double sign_, encoder_sign_;
     // fine scales are read to the nearest increment; coarse encoders count the lines passed
     double rounding_;
-    double tick_s_, wanted_ = 0;  // csp: the position told last
+    double tick_s_, wanted_ = 0;  // csp: the last commanded position
     const SimulatedDrive* other_ = nullptr;
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     std::uint16_t last_control_ = 0, simulate_ = 0;

@@ -1,9 +1,9 @@
-// Motion needs a start: every door through which an axis can begin to move, and what must hold
-// before it opens.
+// Motion needs a permit: every way in which an axis can begin to move, and the conditions that must
+// hold before.
 //
-// One row a door, the same as in docs/design/motion-starts.md (a test compares them, and walks
-// them). Grounds are what all doors have in common; what only one of them needs (a state, a mode,
-// an axis that is free) its own function asks.
+// One row per entry, the same as in docs/design/motion-starts.md (a test compares and executes
+// them). Grounds are the conditions that entries share; a condition of one entry only (a state, a
+// mode, an axis that is free) is checked by its own function.
 //
 // Invariants
 //   G1  Jogs, reference runs and superposed handwheels begin with a Permit, programs and blocks by
@@ -60,7 +60,8 @@ enum class Door : std::uint8_t {
 
 enum Ground : std::uint8_t {
     kMachineOn = 1u << 0,   // drives on, no emergency stop
-    kNoStop = 1u << 1,      // nothing stops the whole machine (PLC late, mains, a dead process)
+    kNoStop = 1u << 1,      // nothing stops the whole machine (PLC late, power failure, a dead
+                            // process)
     kDoorClosed = 1u << 2,  // or setup mode
     kStartRows = 1u << 3,   // all rows of start_conditions.cpp, which contain the three above
 };
@@ -71,7 +72,7 @@ struct MotionStart {
     std::string_view asked_by;  // key, word of `press`, signal or record
     std::string_view begins;    // function that sets the first axis moving
     std::uint8_t grounds;
-    std::optional<Alarm> refusal;  // none: it is nobody's wish; nothing is said, and nothing kept
+    std::optional<Alarm> refusal;  // none: nobody asked for it; nothing is reported or stored
 };
 
 inline constexpr std::uint8_t kSafe = kMachineOn | kNoStop | kDoorClosed,

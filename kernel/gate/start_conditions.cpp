@@ -80,7 +80,7 @@ constexpr std::array<StartCondition, kStartWords.size()> kConditions{{
      }},
     {"attached", Scope::Axis,
      [](const Core& c, const StartView& v, std::uint32_t after) -> std::uint32_t {
-         // A C axis that has lent its drive to the spindle comes back by itself.
+         // A C axis whose drive the spindle uses now gets it back by itself.
          return next_axis(c, v, after,
                           [](const AxisUnit& axis, const AxisConfig& config, std::uint32_t) {
                               return axis.detached && config.named && !config.on_spindle;

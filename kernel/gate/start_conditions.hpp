@@ -1,6 +1,6 @@
 // What must hold before a program may start in a channel: one table. A refused start names
-// everything that is missing, each with what to do about it, so that the operator need not try
-// again and again.
+// everything that is missing, each with its remedy, so that the operator does not have to find the
+// conditions one by one.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -19,7 +19,7 @@ struct StartView {
     bool alarmed = false;       // interrupted by an alarm: only a reset goes on
     bool by_hand_mode = false;  // jog, handwheel, reference
     bool away = false;          // axes were moved in a hold and have not come back
-    // it stands at the block of a restart, and not all of that restart do
+    // it has reached the block of a restart, and not all of that restart have
     bool others_search = false;
     bool lacks_program = false;  // it would begin the selected program, and none is
     bool lacks_block = false;    // it would begin the block entered by hand, and none is

@@ -1,5 +1,5 @@
-// Braking to a stand from a state on a road, as hard as the limits allow at each place and each
-// speed on the way.
+// Braking to standstill from a state on a road, as hard as the limits allow at each point and each
+// speed on it.
 //
 //   p |        .--.  .----.         p = -a, over time. p rises with the jerk there is until it is
 //     |     .-'    ''      '.       all that is allowed, which grows as the speed falls; it is
@@ -42,15 +42,15 @@ namespace polyturn::kernel {
 
 class Braking {
 public:
-    // From `from` (s on the road) to a stand. `obey`: ceilings count.
+    // From `from` (s on the road) to standstill. `obey`: speed limits count.
     void along(Road& road, const PathState& from, bool obey = true) noexcept;
-    // First only to a speed, without acceleration from the place `at` on where a stretch begins;
-    // then from there to a stand.
+    // First only to a speed, without acceleration from the point `at` on where a stretch begins;
+    // from there to standstill.
     struct Aim {
         double at, speed;
     };
     void by_way_of(const Aim& aim, Road& road, const PathState& from) noexcept;
-    // Standing.
+    // At standstill.
     void stand() noexcept;
 
     [[nodiscard]] bool possible() const noexcept { return possible_; }
@@ -66,10 +66,10 @@ public:
     // when it has the speed of that
     [[nodiscard]] double aim_time() const noexcept { return aim_time_; }
     [[nodiscard]] double peak() const noexcept { return peak_; }  // highest speed
-    // Leaving it on the way, can the speed be c, without falling below it, from the place d of the
+    // Leaving it underway, can the speed be c, without falling below it, from the point d of the
     // road on?
     [[nodiscard]] bool arrives(double c, double d) const noexcept;
-    // Where it is `dt` after `time`; s is what is moved in between. Stands at its end.
+    // Where it is `dt` after `time`; s is what is moved in between. At standstill at its end.
     [[nodiscard]] PathState follow(double time, double dt) const noexcept;
 
 private:

@@ -1,6 +1,6 @@
-// A gap between where something is and where it shall be, closed without a step of acceleration:
-// the quintic in time that begins at (e, e', e'') and ends at (0, 0, 0). What follows a line (a
-// spindle's thread, a partner's axis) adds it to that line.
+// A gap between an actual and a wanted position, closed without a step of acceleration: the quintic
+// in time that begins at (e, e', e'') and ends at (0, 0, 0). A follower of a line (a spindle's
+// thread, a partner's axis) adds it to that line.
 //
 //   e |--.
 //     |    '-.

@@ -81,7 +81,7 @@ struct SpeedProfile {
     return p;
 }
 
-// Where a profile leads; t: how far along it (its whole duration, and standing still in
+// Where a profile leads; t: how far along it (its whole duration, and constant in
 // acceleration afterwards).
 [[nodiscard]] inline PathState after_profile(PathState x, const SpeedProfile& p) noexcept {
     for (int i = 0; i < 3; ++i) x = advanced(x, p.jerk[i], p.time[i]);
@@ -108,7 +108,7 @@ struct SpeedProfile {
     return x;
 }
 
-// Length of the way from (v, a) to (w, 0) by profile_to_speed.
+// Distance from (v, a) to (w, 0) by profile_to_speed.
 [[nodiscard]] inline double distance_to_speed(double v, double a, double w, double a_max,
                                               double j_max) noexcept {
     return after_profile({0, v, a}, profile_to_speed(v, a, w, a_max, j_max)).s;
@@ -135,8 +135,8 @@ struct SpeedProfile {
 // to rounding, from below.
 [[nodiscard]] double top_speed(double distance, double w, double a_max, double j_max) noexcept;
 
-// While acceleration is released at once (a < 0, jerk +J): way until the speed has fallen to c.
-// Given v > c >= release.
+// While acceleration is released at once (a < 0, jerk +J): distance until the speed has fallen to
+// c. Given v > c >= release.
 [[nodiscard]] inline double release_distance_to(double v, double a, double c,
                                                 double j_max) noexcept {
     const double t = (-a - std::sqrt(std::max(a * a - 2 * j_max * (v - c), 0.0))) / j_max;

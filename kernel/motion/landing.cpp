@@ -6,7 +6,7 @@ bool Landing::aim(double v, double a, double distance, double a_max, double j_le
                   double j_most) noexcept {
     if (!(v > 0)) return false;
     double low = std::max(j_least, a < 0 ? a * a / (2 * v) : 0.0), high = j_most;
-    // The softer the jerk, the longer the way.
+    // The softer the jerk, the longer the distance.
     if (low > high || stopping_distance(v, a, a_max, high) > distance ||
         stopping_distance(v, a, a_max, low) < distance * (1 - 1e-8))
         return false;

@@ -1,5 +1,4 @@
-// How hard and how suddenly the speed along the path may change at a speed v: what the axes have
-// left.
+// The acceleration and jerk that the axes leave to the path at a speed v.
 //
 // With t, n the unit tangent and normal of a plane path and k its curvature, a point that moves
 // along it has

@@ -1,6 +1,6 @@
-// Something that is driven follows a line that something else draws: a spindle its master, a
-// workpiece axis the hob, a polygon cutter the workpiece. Whatever it does when it begins, it comes
-// onto the line within its speed, acceleration and jerk, and stays on it.
+// A driven element follows a line that another one draws: a spindle its master, a workpiece axis
+// the hob, a polygon cutter the workpiece. From any state at its beginning it reaches the line
+// within its speed, acceleration and jerk, and stays on it.
 //
 //   s |              .-'  line + offset         Closing  the gap e = s - (line + offset) runs to 0 as the quintic in time that
 //     |          .-'.'                                   begins at (e, e', e'') and ends in (0, 0, 0)

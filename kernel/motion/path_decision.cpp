@@ -26,7 +26,7 @@
 //            it afterwards? Full braking would carry its acceleration into the slow record and
 //            undershoot there, which is safe but slower.
 // A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of
-// steps towards the lowest ceiling that is violated.
+// steps towards the lowest limit that is violated.
 //
 // Rounding The last way to a stand is a landing, whose end is exact (landing.hpp).
 // Right    tests: raw differences of the position on random records, feeds, overrides, holds at
@@ -134,8 +134,8 @@ double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
     return towards_speed(start, step.speed, step.limits.a, step.limits.j, high).v;
 }
 
-// Is it safe to take a step, and if ceilings are wanted, does it arrive at each? tried_ is the
-// braking from there.
+// Is a step safe, and if speed limits are wanted, does it arrive at each? tried_ is the braking
+// from there.
 bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     const PathState& next = step.next;
     if (next.v < 0 || next.s < 0) return false;
@@ -143,7 +143,7 @@ bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     if (step.limits.a > 0 && state_.a < 0 &&
         release_speed(state_.v, state_.a, step.limits.j) < -kBackwards)
         return false;
-    // Ceilings that are passed within the tick.
+    // Limits that are passed within the tick.
     const double highest = std::max(
         {state_.v, next.v,
          state_.a > 0 && next.a <= 0 ? release_speed(state_.v, state_.a, view.tick.j) : 0.0});
@@ -158,15 +158,15 @@ bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     return comes_to_rest(view, which, next);
 }
 
-// From a place on the road: is there a way to a stand, and if ceilings are wanted, by way of each
-// of them?
+// From a point on the road: can it come to standstill, and if speed limits are wanted, by way of
+// each of them?
 bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& next) noexcept {
     if (next.v == 0 && next.a == 0 && next.s <= view.end_of(view.within)) {
         tried_.stand();
         return true;
     }
     if (promise_time_ >= 0 && pieces_ > kPiecesPerTick) return false;
-    // Straight to a stand, if it is the stand that asks for it.
+    // Straight to standstill, if the standstill determines the speed.
     tried_.along(view, next);
     pieces_ += tried_.pieces();
     const bool stands = tried_.possible();
@@ -180,7 +180,7 @@ bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& nex
     const double crawl = view.tick.a * view.tick.a * view.tick.a / (4 * view.tick.j * view.tick.j);
     const double end = stands ? tried_.end() + kLonger * tried_.distance() + crawl
                               : next.s + speed * (speed / view.tick.a + view.tick.a / view.tick.j);
-    // The first slower stretch from whose speed the next slower one, or the stand, can still be
+    // The first slower stretch from whose speed the next slower one, or standstill, can still be
     // reached.
     Braking::Aim first{kInfinity, 0};
     Limits there;
@@ -216,7 +216,8 @@ bool PathPlanner::take(View& view, Ceilings which, const Step& step) noexcept {
     return true;
 }
 
-// The step nearest to `high` that can be taken; `low` is as good as promised. False: none but that.
+// The step nearest to `high` that can be taken; `low` is as good as committed. False: none but
+// that.
 bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low,
                                const PathState& high, PathState& next) noexcept {
     double good = 0, bad = 1;
@@ -228,7 +229,7 @@ bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low,
     return good > 0;
 }
 
-// Of the wanted ceilings that braking from a state does not arrive at.
+// Of the wanted limits that braking from a state does not arrive at.
 double PathPlanner::lowest_violated(View& view, const PathState& next) noexcept {
     tried_.along(view, next, false);
     double lowest = std::max(next.v, tried_.peak()), violated = kInfinity;
@@ -245,8 +246,8 @@ double PathPlanner::lowest_violated(View& view, const PathState& next) noexcept 
 }
 
 // Has what is wanted changed since the last tick? (Of spindles the one of the running record: with
-// another one's the ceilings of later records may be other than promised, which is seen when they
-// are near.)
+// another one's the limits of later records may differ from the announced ones, which is seen when
+// they are near.)
 bool PathPlanner::want(const PathInput& input) noexcept {
     const Slot& running = at(first_);
     const bool turns = running.feed_mode == FeedMode::PerRevolution &&
@@ -291,7 +292,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
             return keep_promise();
         }
     }
-    // a slow record that ends before its ceiling could be passed
+    // a slow record that ends before its limit could be passed
     if (!input.hold && view_.rises({0, state_.v, state_.a})) {
         const Step most = step_towards(kFast, view_.tick);
         bool taken = true;
@@ -306,7 +307,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
             return next;
         }
     }
-    if (landing_end_ != kNone) {  // the way goes on; but a landing is safe until something else is
+    if (landing_end_ != kNone) {  // the path goes on; but a landing is safe until something else is
         Landing landing = landing_;
         const PathState low = landing.step(dt_);
         if (take(view_, Ceilings::Wanted, step)) {
@@ -324,7 +325,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     }
     if (begin_landing(view_)) return landing_.step(dt_);
     if (step_over_rest(view_)) return {view_.end(), 0, 0};
-    // As hard as can be: as promised, or found now.
+    // As hard as can be: as committed, or found now.
     const bool promised = promise_time_ >= 0;
     const PathState low =
         promised ? promise_.follow(promise_time_, dt_) : step_towards(0, view_.tick).next;
@@ -367,8 +368,8 @@ bool PathPlanner::step_over_rest(View& view) noexcept {
     return false;
 }
 
-// The rest of the way to a stand as one profile that ends exactly there, if it is short or nothing
-// changes on it.
+// The remaining distance to standstill as one profile that ends exactly there, if it is short or
+// nothing changes on it.
 bool PathPlanner::begin_landing(View& view) noexcept {
     const double v = state_.v, a = state_.a;
     if (!(v > 0) || promise_time_ < 0) return false;
@@ -404,7 +405,7 @@ bool PathPlanner::begin_landing(View& view) noexcept {
                       limits.j / kPlannedJerk))
         return false;
     if (a > 0 && !least.flat() && release_speed(v, a, landing_.jerk()) > highest) return false;
-    // It never rises above where it is by more than the ceilings allow, and comes below each in
+    // It never rises above where it is by more than the limits allow, and comes below each in
     // time.
     const double rises_until =
         a > 0 ? advanced({0, v, a}, -landing_.jerk(), a / landing_.jerk()).s : 0;

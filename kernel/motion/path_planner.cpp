@@ -1,4 +1,4 @@
-// The planner's window of records, and the carrying of one tick's way over them. How it decides:
+// The planner's window of records, and the motion of one tick over them. How it decides:
 // path_decision.cpp.
 #include "kernel/motion/path_planner.hpp"
 

@@ -1,8 +1,8 @@
-// How fast is a channel on its path at this tick? Called once a tick by the cyclic thread: no
+// The speed of a channel's path at this tick. Called once a tick by the cyclic thread: no
 // allocation, lock, exception, system call; work bounded by the window.
 //
 // The kernel hands over records one by one (append) and then asks each tick for a step; the planner
-// knows lengths and ceilings only, never geometry. Record numbers are the ring's own indices.
+// knows lengths and speed limits only, never geometry. Record numbers are the ring's own indices.
 //
 //     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
 //     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record,
@@ -53,8 +53,8 @@ struct PlannedRecord {
     std::uint16_t spindle = 0;     // from 1; feed per revolution
     FeedMode feed_mode = FeedMode::PerMinute;
     bool override_locked = false;   // feed override is 100 %
-    bool stop_before = false;       // path stands at its start until the kernel skips it
-    bool stop_after = false;        // path stands at its end (exact stop)
+    bool stop_before = false;       // path stops at its start until the kernel skips it
+    bool stop_after = false;        // path stops at its end (exact stop)
     bool wait_in_position = false;  // ... until PathInput::in_position
     bool block_end = false;         // single block stops here
 
@@ -72,8 +72,8 @@ struct PathInput {
     double dry_run_feed = 0;  // mm/s; > 0 replaces programmed feeds
     // mm/s, wanted by couplings; kept as a feed is
     double speed_ceiling = std::numeric_limits<double>::infinity();
-    bool hold = false;          // brake along the path, stand
-    bool single_block = false;  // stand at the end of the running block until step_block()
+    bool hold = false;          // brake along the path, stop
+    bool single_block = false;  // stop at the end of the running block until step_block()
     bool in_position = true;    // measured axes are where they should be
     double emergency_dec = 0;   // mm/s2; > 0 brakes with it at once, exempt from jerk
 };
@@ -85,17 +85,17 @@ enum class Stands : std::uint8_t {
     InPosition,    // waits for the measured axes
     Held,
     BlockEnd,  // single block
-    NoFeed,    // feed or override is 0, spindle stands at feed per revolution
+    NoFeed,    // feed or override is 0, spindle stopped at feed per revolution
 };
 
 struct PathStep {
-    std::uint64_t record = 0;  // running at the end of the tick, or standing at its end
+    std::uint64_t record = 0;  // running at the end of the tick, or stopped at its end
     double s = 0;              // mm along it
     double speed = 0;          // mm/s
     double acceleration = 0;   // mm/s2
     std::uint64_t began_from = 0, began_to = 0;
     std::uint64_t ended_from = 0, ended_to = 0;
-    // the path stands at the end of `record`, which has ended in this tick or an earlier one
+    // the path is stopped at the end of `record`, which has ended in this tick or an earlier one
     bool over = false;
     Stands stands = Stands::NoRecord;
 };
@@ -104,7 +104,7 @@ class PathPlanner {
 public:
     // dt: tick in seconds. horizon: records looked at (PT_HORIZON).
     void configure(double dt, std::uint32_t horizon) noexcept;
-    // Forget everything; the next appended record is number `next`; the path stands.
+    // Forget everything; the next appended record is number `next`; the path is stopped.
     void clear(std::uint64_t next) noexcept;
 
     // Fewer than the horizon are there (counted from the running one) and this tick has not taken
@@ -118,8 +118,8 @@ public:
 
     PathStep tick(const PathInput& input) noexcept;
 
-    // The path stands at the beginning of `to - 1` (or anywhere, after a hold) and goes on at the
-    // start of `to`: the records between were executed or dropped by the kernel. `to` may be
+    // The path is stopped at the beginning of `to - 1` (or anywhere, after a hold) and goes on at
+    // the start of `to`: the records between were executed or dropped by the kernel. `to` may be
     // next_record().
     void skip(std::uint64_t to) noexcept;
     void let_pass(std::uint64_t record) noexcept;  // a record that stopped the path does so no more
@@ -142,8 +142,8 @@ public:
     [[nodiscard]] double speed() const noexcept { return state_.v; }
     [[nodiscard]] double acceleration() const noexcept { return state_.a; }
     [[nodiscard]] bool at_rest() const noexcept { return state_.v == 0 && state_.a == 0; }
-    // Ticks in which no step was found that keeps every promise; then it brakes. Stays 0; tests
-    // ask.
+    // Ticks in which no step was found that keeps the committed profile; then it brakes. Stays 0;
+    // tests ask.
     [[nodiscard]] std::uint64_t anomalies() const noexcept { return anomalies_; }
 
 private:
@@ -151,8 +151,8 @@ private:
     // at a point.
     static constexpr double kPlannedJerk = 0.995;
     static constexpr std::uint64_t kNone = ~0ull;
-    // Pieces of brakings that a tick may try; then what was promised is followed. Bounds the work
-    // of a tick.
+    // Pieces of brakings that a tick may try; then the committed profile is followed. Bounds the
+    // work of a tick.
     static constexpr std::uint32_t kPiecesPerTick = 200;
 
     struct Slot : PlannedRecord {
@@ -170,7 +170,7 @@ private:
         bool stops, block_ends;
     };
     enum class Ceilings : std::uint8_t { Hard, Wanted };
-    // What lies ahead, read from the window as far as somebody asks (path_view.cpp).
+    // What lies ahead, read from the window as far as needed (path_view.cpp).
     class View final : public Road {
     public:
         void begin(PathPlanner& planner, Ceilings which, const PathInput& input) noexcept;
@@ -178,15 +178,15 @@ private:
         // road ends there.
         [[nodiscard]] bool around(const PathState& x) noexcept;
 
-        // Does the ceiling rise within the way on which the acceleration that the tick at x leads
-        // to is released?
+        // Does the limit rise within the distance over which the acceleration that the tick at x
+        // leads to is released?
         [[nodiscard]] bool rises(const PathState& x) noexcept;
 
         double ceiling = 0;  // over what a tick can touch
         // over what a tick can touch, at the speed and acceleration that it can come to
         Limits tick;
         std::uint32_t within = 0;  // the stretch where it begins
-        // the path must stand at its end; kNone: not seen, or for want of room
+        // the path must stop at its end; kNone: not seen, or the window is full
         std::uint64_t end_record = kNone;
 
     private:
@@ -200,7 +200,7 @@ private:
         std::uint64_t record_ = 0;  // the last that was looked at
         double known_ = 0;          // where it ends
         double reach_ = 0;          // how far this tick can lead
-        double fast_ = 0;           // no ceiling above it matters
+        double fast_ = 0;           // no limit above it matters
         double chunk_ = 0;          // a stretch need not be longer
     };
     // A state that this tick could lead to.
@@ -248,27 +248,27 @@ private:
     std::uint32_t appended_ = 0;         // since the last tick
     PathState state_;                    // s along record first_
     bool began_ = false;                 // record first_ has begun
-    // the path stands at the end of record first_, which has ended
+    // the path is stopped at the end of record first_, which has ended
     bool done_ = false;
-    std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
+    std::uint64_t block_latch_ = kNone;  // single block: stop at the end of this record
     bool block_done_ = false;            // and it does
-    // The way to a stand that made the last step safe, and how much of it has been driven since, s;
-    // below 0: there is none.
+    // The profile to standstill that made the last step safe, and how much of it has been driven
+    // since, s; below 0: there is none.
     Braking promise_, tried_;
     std::uint32_t pieces_ = 0;  // tried in this tick
     double promise_time_ = -1;
     bool promise_wanted_ = false;  // it keeps what was wanted, too
-    bool promise_aims_ = false;    // it goes by way of a slower stretch
-    // the record at whose end it stands for want of road; kNone: it need not
+    bool promise_aims_ = false;    // it goes through a slower stretch
+    // the record at whose end it stops for want of road; kNone: it need not
     std::uint64_t promise_end_ = kNone;
     // Steps before that: a push is tried as a whole and then driven without another thought, unless
     // something else is wanted.
     static constexpr std::uint32_t kPush = 16;
     std::array<PathState, kPush> push_;  // after each tick; s is what is moved in it
     std::uint32_t pushed_ = 0, push_end_ = 0, stride_ = 1;
-    // ticks for which the promise is followed without looking for better
+    // ticks for which the committed profile is followed without looking for better
     std::uint32_t timeout_ = 0, failures_ = 0;
-    // what is wanted has changed, and the promise is still the old one
+    // what is wanted has changed, and the committed profile is still the old one
     bool other_wanted_ = false;
     std::array<double, 7> wanted_{};     // see want()
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record

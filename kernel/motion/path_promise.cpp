@@ -1,6 +1,6 @@
-// What the planner has promised: a way to a stand that was found safe as a whole. It is a push of
-// up to kPush ticks (or none) and a braking behind it. While it stands and nothing else is wanted a
-// tick only follows it; thinking is for its ends.
+// The committed profile: motion to standstill that was found safe as a whole. It consists of a push
+// of up to kPush ticks (or none) and a braking behind it. While it is valid and nothing else is
+// wanted a tick only follows it; decisions are made near its ends.
 //
 //   v |      push     .----.  braking, perhaps by way of
 //     |          . - '      \   a slower stretch
@@ -14,7 +14,7 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kFast = 1e6;             // mm/s: as hard as can be
 constexpr std::uint32_t kMaxTimeout = 4;  // ticks
-// ticks before a stand: every one is looked at, for the landing
+// ticks before standstill: every one is looked at, for the landing
 constexpr double kNearEnd = 8;
 constexpr double kEntering = 2e-3;  // as in braking.cpp
 }  // namespace
@@ -52,20 +52,21 @@ bool PathPlanner::follows_blindly() const noexcept {
            (promise_aims_ || promise_end_ == kNone || stops_at_end(promise_end_));
 }
 
-// No better step than the promise was found, or hardly a better one: the next is looked for later.
+// No better step than the committed one was found, or hardly a better one: the next is looked for
+// later.
 void PathPlanner::keep_braking_profile() noexcept {
     timeout_ = failures_ < 3 ? 1u << failures_ : kMaxTimeout;
     ++failures_;
     stride_ = 1;
-    // But in time for the end of it: where it comes to the speed of the slower stretch, or lands.
+    // But before its end: where it comes to the speed of the slower stretch, or lands.
     const double left = promise_aims_ ? promise_.aim_time() - promise_time_
                                       : promise_.duration() - promise_time_ - kNearEnd * dt_;
     timeout_ =
         std::min(timeout_, left > 0 ? static_cast<std::uint32_t>(std::min(left / dt_, 100.0)) : 0u);
 }
 
-// Something else is wanted while the promise would go faster first or by way of a slower stretch:
-// brake from here instead. False: that cannot be promised.
+// The wanted speed has changed while the committed profile would accelerate first or pass a slower
+// stretch: brake from here instead. False: that cannot be committed.
 bool PathPlanner::promise_braking(const PathInput& input) noexcept {
     view_.begin(*this, Ceilings::Hard, input);
     tried_.along(view_, {0, state_.v, state_.a});
@@ -75,11 +76,11 @@ bool PathPlanner::promise_braking(const PathInput& input) noexcept {
     return true;
 }
 
-// Several ticks towards the ceilings that are on the way. False: not possible, or not worth while.
+// Several ticks towards the limits ahead. False: not possible, or not worth while.
 bool PathPlanner::push(View& view) noexcept {
     const std::uint32_t ticks = std::min(kPush, 2 * stride_);
     if (ticks < 2) return false;
-    std::array<PathState, kPush>& steps = push_;  // pushed_ == push_end_: nobody follows it
+    std::array<PathState, kPush>& steps = push_;  // pushed_ == push_end_: it is not followed
     const Limits tick = view.tick;
     const double ceiling = view.ceiling;
     PathState x{0, state_.v, state_.a};

@@ -9,7 +9,7 @@ namespace {
 
 // limits of one stretch differ by no more, as parts of what there is
 constexpr double kAlike = 0.1;
-constexpr double kLevel = 0.98;  // ceilings likewise, if they can matter at all
+constexpr double kLevel = 0.98;  // speed limits likewise, if they can matter at all
 constexpr double kBrief = 2;     // ticks: what is passed in less is no stretch of its own
 constexpr double kLeastShare = 0.05;
 
@@ -67,8 +67,8 @@ void PathPlanner::View::begin(PathPlanner& planner, Ceilings which,
     narrow_tick(touched, planner.state_, std::max(v, std::min(v_next, hard)));
     if (input.single_block && which == Ceilings::Wanted && planner.block_latch_ == kNone &&
         (planner.promise_time_ >= 0 || planner.at_rest())) {
-        // The first end of a block at which the path can still stand: not before the end of the
-        // promised way.
+        // The first end of a block at which the path can still stop: not before the end of the
+        // committed distance.
         const double stands =
             planner.at_rest()
                 ? 0
@@ -188,7 +188,7 @@ void PathPlanner::View::more() noexcept {
             known_ += slot.length;
             continue;
         }
-        // full: stand here rather than forget something
+        // full: stop here rather than drop something
         if (!begin_stretch(known_, other, own)) return close(known_);
         known_ += slot.length;
         return;

@@ -1,5 +1,5 @@
-// What lies ahead of the path, as far as anybody asks: stretches with a ceiling and limits each, up
-// to where it must stand.
+// The path ahead, as far as needed: stretches with a speed limit and other limits each, up to the
+// next standstill.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -24,13 +24,13 @@ public:
         while (i + 1 >= count_ && !closed_) more();
         return i < count_ ? &stretches_[i] : nullptr;
     }
-    // Where stretch i ends: the next begins, or the path must stand.
+    // Where stretch i ends: the next begins, or the path must stop.
     [[nodiscard]] double end_of(std::uint32_t i) noexcept {
         while (i + 1 >= count_ && !closed_) more();
         return i + 1 < count_ ? stretches_[i + 1].begin : end_;
     }
     [[nodiscard]] bool closed() const noexcept { return closed_; }  // all of it is known
-    // the path must stand there; infinity: not seen yet
+    // the path must stop there; infinity: not seen yet
     [[nodiscard]] double end() const noexcept { return end_; }
 
 protected:

@@ -1,4 +1,4 @@
-// Where is the spindle now? The encoder says where it was one tick ago, and only in whole counts.
+// Estimates the spindle's present angle. The encoder gives that of one tick ago, in whole counts.
 //
 //   angle ^          . '   now: predicted over the latch delay
 //         |       _.x
@@ -33,7 +33,7 @@ public:
     // dt: tick, seconds. delay: from the latch to the moment asked for by angle(0), seconds (one
     // tick).
     void configure(double dt, double counts_per_rev, double delay) noexcept;
-    void reset(std::int64_t counts) noexcept;  // the spindle stands there
+    void reset(std::int64_t counts) noexcept;  // the spindle is stopped there
     // Counts over all revolutions, as latched `delay` ago. Once a tick.
     void update(std::int64_t counts) noexcept;
 

@@ -4,7 +4,7 @@
 
 namespace polyturn::kernel {
 namespace {
-// so that the landing, which fits its jerk to the way, always has some left
+// so that the landing, which fits its jerk to the distance, always has some left
 constexpr double kJerkShare = 0.98;
 constexpr double kSame = 1e-12;  // rev
 }  // namespace
@@ -80,7 +80,7 @@ double SpindlePositioner::step(double dt) noexcept {
     if (on && stopping_distance(next.v, next.a, limits_.acceleration, jerk) > left - next.s) {
         landing_now_ = landing_.aim(here.v, here.a, left, limits_.acceleration, limits_.jerk * 1e-6,
                                     limits_.jerk);
-        // shorter than a tick can tell
+        // shorter than a tick can resolve
         if (!landing_now_ && here.v == 0) {
             landing_.at_once(left);
             landing_now_ = true;

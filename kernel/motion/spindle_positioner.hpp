@@ -1,6 +1,6 @@
-// The commanded position of a spindle whose position loop is closed: from wherever it is and
-// however fast it turns to rest at an angle, within speed, acceleration and jerk. All in
-// revolutions, counted over all revolutions.
+// The commanded position of a spindle whose position loop is closed: from any position and speed to
+// rest at an angle, within speed, acceleration and jerk. All in revolutions, counted over all
+// revolutions.
 //
 //   take_over(s, v)   the loop closes on a turning or standing spindle
 //   go(target)        on the shortest way that a spindle of this speed has: it brakes and comes

@@ -1,6 +1,6 @@
 // Threads: the path follows the angle of the spindle, whatever its speed.
 //
-//   s |                          .-'  <- leaves the line only to stand at the end of the last record
+//   s |                          .-'  <- leaves the line only to stop at the end of the last record
 //     |                  line .-'
 //     |                    .-'
 //     |                  .-'          line: s = lead (angle - start angle)/360, record after record
@@ -60,7 +60,7 @@ struct ThreadStep {
     std::uint64_t record = 0;  // running at the tick's end
     double s = 0, speed = 0, acceleration = 0;
     std::uint64_t began_from = 0, began_to = 0, ended_from = 0, ended_to = 0;  // as in PathStep
-    bool too_fast = false;   // lead times speed is above the ceiling: does not start
+    bool too_fast = false;   // lead times speed is above the limit: does not start
     bool lost_line = false;  // the path could not keep up with the spindle
 };
 
@@ -81,8 +81,8 @@ public:
         return pieces_[record - first_].end_fraction;
     }
     [[nodiscard]] double deviation() const noexcept { return deviation_; }  // mm off the line
-    // Whole way from rest to the line at a spindle speed (degrees a second): what a run-in must
-    // have.
+    // Whole distance from rest to the line at a spindle speed (degrees a second): what a run-in
+    // must have.
     [[nodiscard]] double run_in(double spindle_speed) const noexcept;
 
 private:

@@ -1,5 +1,5 @@
-// polyturn-plc: the process that runs the machine builder's PLC. Started by polyturn beside the
-// kernel.
+// polyturn-plc: the process that runs the machine builder's PLC. Started by polyturn together with
+// the kernel.
 #include <fmt/format.h>
 #include <getopt.h>
 #include <signal.h>

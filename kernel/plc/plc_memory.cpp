@@ -63,7 +63,7 @@ std::string PlcMemory::image() const {
     return bytes;
 }
 
-// A disk that refuses is told once, and asked again every second: space may come.
+// A disk error is reported once, and the write is repeated every second.
 void PlcMemory::keep(const std::stop_token& stop) {
     bool told = false;
     std::unique_lock hold(lock_);

@@ -24,8 +24,8 @@ public:
     static constexpr std::uint32_t kBlocks = 256;
     static constexpr std::size_t kLongest = 4096;
 
-    // path: empty: nothing is kept. A file that cannot be read as one of these is told on stderr
-    // and replaced by the first write. Called once.
+    // path: empty: nothing is kept. A file that cannot be read as one of these is reported on
+    // stderr and replaced by the first write. Called once.
     void open(std::string path, bool queued);
     void begin_cycle() noexcept;
     void end_cycle();

@@ -1,4 +1,4 @@
-// The PLC process beside one kernel: each set of inputs that the kernel publishes is answered by
+// The PLC process' side of the cycle: each set of inputs that the kernel publishes is answered by
 // one set of outputs.
 //
 //   kernel   | inputs n |  .  .  . PT_PLC_CYCLE .  .  . | outputs n act, inputs n+1 |

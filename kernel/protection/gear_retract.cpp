@@ -82,7 +82,7 @@ void Machine::run_gear_retracts() noexcept {
             continue;
         }
         phase = GearRetract::Moving;
-        // it may go on: the way back is kept
+        // it may go on: the return path is stored
         const bool held = runner.program_runs() && !runner.resets();
         if (held) runner.step_aside();
         const double way = std::sqrt(way2);

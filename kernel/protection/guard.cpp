@@ -6,7 +6,7 @@
 namespace polyturn::kernel {
 namespace p = params;
 namespace {
-constexpr std::size_t kSamples = 8;  // of a braking way
+constexpr std::size_t kSamples = 8;  // of a braking distance
 constexpr double kReserve = 1.1;     // of it: the planner brakes a little later than a parabola
 constexpr double kTowards = 1e-7;    // mm: nearer than that in one tick is no approach
 constexpr double kFarAway = 1e9;
@@ -118,8 +118,8 @@ void Guard::place(const Core& core, Body& body) noexcept {
     body.watched = watched;
 }
 
-// Where the turret stands: as its PLC says; before that, as the program has told it. Worked out
-// anew only when that changes.
+// The turret's position: as its PLC reports it; before that, as the program has commanded it.
+// Worked out anew only when that changes.
 void Guard::turn_tools(const Core& core, Body& body) noexcept {
     std::int64_t index = core.signals.plc(signals::cp_actt(body.channel));
     if (index <= 0)
@@ -143,7 +143,7 @@ void Guard::show(const Core& core, Body& body) noexcept {
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         const Box& own = set_.boxes[i];
         Vector at = body.at;
-        // The called tool too is anywhere on its circle until the turret stands.
+        // The called tool too is anywhere on its circle until the turret is at standstill.
         const bool turns = body.stations != 0 && body.turned_for == 0;
         if (own.station && body.channel && (turns || own.station != station_[body.channel - 1])) {
             if (body.stations == 0) continue;
@@ -172,7 +172,7 @@ void Guard::show(const Core& core, Body& body) noexcept {
 }
 
 // The distance now, and in `then` that of each point looked at, but only of what may come nearer
-// than kept: `reach` is as far as both ways and PT_GUARD_DISTANCE lead.
+// than kept: `reach` is what both displacements and PT_GUARD_DISTANCE allow.
 double Guard::gaps(const Body& a, const Body& b, double reach, const Relative& way,
                    std::array<double, 8>& then) const noexcept {
     const bool flat = !a.in_z || !b.in_z;  // Z does not separate them
@@ -206,7 +206,7 @@ double Guard::gaps(const Body& a, const Body& b, double reach, const Relative& w
     return now;
 }
 
-// The PLC takes barriers away for the channel whose carrier comes near.
+// The PLC opens barriers for the channel whose carrier comes near.
 bool Guard::off(const Core& core, const Body& a, const Body& b) const noexcept {
     const std::uint32_t channel = std::max(a.channel, b.channel);
     if ((a.kind == Kind::Chuck || b.kind == Kind::Chuck) &&
@@ -220,7 +220,7 @@ Guard::Finding Guard::step(const Core& core) noexcept {
     nearest_ = {kNone, kNone, kFarAway};
     Finding found{kNone, kNone, 0};
     if (!any()) return found;
-    // Tool management has said where the tool stands; without it T is the station.
+    // Tool management has reported the tool's station; without it T is the station.
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
         const bool managed = core.signals.nc(signals::cn_mgzno(l + 1)) != 0;
         const auto station = static_cast<std::uint32_t>(std::max(

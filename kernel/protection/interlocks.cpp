@@ -14,7 +14,7 @@ bool unclamped(const Core& c, std::uint32_t s) noexcept {
 }
 
 // Two spindles with one part between them (part transfer): the chuck of one may be open while the
-// other one's holds. A follower's jaws may turn open beside the part from the beginning; a master's
+// other one's holds. A follower's jaws may turn open near the part from the beginning; a master's
 // may open when its follower runs in step with it.
 bool held_by_partner(const Core& c, std::uint32_t s) noexcept {
     const auto master = static_cast<std::uint32_t>(c.signals.nc(signals::sn_follow(s)));

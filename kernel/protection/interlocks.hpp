@@ -1,13 +1,12 @@
 // What must keep holding while a program runs: one table, as for its start (start_conditions.hpp).
-// Each row says what is wrong, what to do about it, and what the machine does by itself the moment
-// it comes:
+// Each row has the fault, its remedy, and the reaction of the machine:
 //
-//   Hold       the path brakes and stands; cycle start goes on once the cause is gone
+//   Hold       the path brakes and stops; cycle start goes on once the cause is gone
 //   Stop       the program is broken off along its path, with an alarm; reset
 //   EndOfPart  the part is finished, then the program ends; a warning says why
 //
-// The PLC reports (inputs, positions of its devices); that nothing turns or moves in spite of it is
-// judged here.
+// The PLC reports (inputs, positions of its devices); whether something turns or moves in spite of
+// it is judged here.
 #pragma once
 #include <cstdint>
 #include <span>

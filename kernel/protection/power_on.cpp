@@ -28,7 +28,7 @@ MachineStep Machine::step_now() const noexcept {
     return referenced ? MachineStep::Ready : MachineStep::NotReferenced;
 }
 
-// Once a tick: the step is told when it has changed.
+// Once a tick: the step is reported when it has changed.
 void Machine::watch_step() noexcept {
     const MachineStep now = step_now();
     core_.signals.set_nc(signals::n_ready(), now == MachineStep::Ready);
@@ -71,7 +71,8 @@ void Machine::release_stop() noexcept {
                     "the emergency stop circuit is open: turn the button back");
         return;
     }
-    // Without power an axis that still brakes would stand at once: the release waits for its rest.
+    // Without power an axis that still brakes would stop at once: the release waits for its
+    // standstill.
     release_waits_ = std::any_of(core_.axes.begin(), core_.axes.end(), [](const AxisUnit& axis) {
         return axis.exists() && axis.moving();
     });

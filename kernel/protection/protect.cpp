@@ -1,4 +1,5 @@
-// What protection (guard.hpp) has found: who moves the two bodies stops, and the alarm names both.
+// Reaction to a finding of the protection (guard.hpp): the movers of the two bodies stop, and the
+// alarm names both.
 #include <algorithm>
 
 #include "kernel/tick/machine.hpp"

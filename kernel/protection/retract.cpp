@@ -1,7 +1,7 @@
-// Out of the work by a defined distance: when the process of a partner has died (PT_PARTNER_DEATH
-// 3), or when the mains fail (PLC_POWER). The path brakes along itself first; then all axes of the
-// channel that have a way PT_RETRACT go it together, while the spindles still turn. After a failure
-// of the mains everything stops then.
+// Retract by a defined distance: when the process of a partner has died (PT_PARTNER_DEATH 3), or
+// when power fails (PLC_POWER). The path brakes along itself first; then all axes of the channel
+// that have a distance PT_RETRACT go it together, while the spindles still turn. After a power
+// failure everything stops then.
 #include <cmath>
 
 #include "kernel/tick/machine.hpp"

@@ -1,4 +1,4 @@
-// The stroke ranges of all channels as they act at this tick (ipc/path/stroke_zones.hpp), and what
+// The effective stroke ranges of all channels at this tick (ipc/path/stroke_zones.hpp), and what
 // they mean for motion: where a record must end, how far an axis may be moved by hand.
 //
 // An axis counts only while it is referenced and attached. What the PLC selects acts with its
@@ -27,7 +27,7 @@ public:
     // Positions of a channel's axes while records are planned: in the order of its zones.
     using Places = std::array<double, kChannelAxes>;
     void places_now(const Core& core, unsigned channel, Places& places) const noexcept;
-    // Where along the record the path must stand; infinity: it may be driven to its end. `places`
+    // Where along the record the path must stop; infinity: it may be driven to its end. `places`
     // goes to that end.
     double exit_of(unsigned channel, const PathRecord& record, const Kinematics* kinematics,
                    Places& places, StrokeFault& fault) const noexcept;
@@ -49,9 +49,9 @@ private:
     struct Channel {
         StrokeZones zones;
         std::array<std::uint32_t, kChannelAxes> axis{};
-        // What superimposed masters have added: a record's positions do not hold it (nct part 2,
-        // 22.5). While it grows nobody can say where a record planned now will lead; guard_stroke()
-        // watches that axis.
+        // Travel that superimposed masters have added: a record's positions do not contain it (nct
+        // part 2, 22.5). While it grows the end of a record that is planned now is not known;
+        // guard_stroke() watches that axis.
         std::array<double, kChannelAxes> added{};
         std::uint32_t growing = 0;     // bit i: added[i] has changed with this tick
         std::uint32_t referenced = 0;  // bit i: axis[i] is

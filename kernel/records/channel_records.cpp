@@ -1,5 +1,5 @@
-// What a record that is no motion does when its turn comes: the standing ones (they hold the path
-// until they are done) and the instant ones (they happen between two moves and cost no time).
+// Records without motion: those that need standstill (they hold the path until they are done) and
+// instant ones (they act between two moves and cost no time).
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,7 +14,7 @@
 
 namespace polyturn::kernel {
 namespace {
-// bounds the work of a tick; more standing records go on with the next one
+// bounds the work of a tick; more stationary records go on with the next one
 constexpr int kStandingPerTick = 64;
 constexpr double kStandingRevS = 1e-3;
 constexpr double kToolChangeCode = 6;  // M06
@@ -49,7 +49,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
             if (!is_motion(r) && early_ != cursor_)
                 begin_record(r, (1.0 - left) * core_.config.tick_s);
         }
-        // nothing of it may be driven, or it is a thread, which cannot stand within
+        // nothing of it may be driven, or it is a thread, which cannot stop within
         if (cursor_ == cut_.record) {
             if (interrupted_) return;
             begin_record(r, (1.0 - left) * core_.config.tick_s);
@@ -102,7 +102,7 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
             return find_reference(r);
         case RecordKind::Stop:
             return stop(r);
-        case RecordKind::Flag:  // the end of a group of blocks: single block stands behind it
+        case RecordKind::Flag:  // the end of a group of blocks: single block stops behind it
             flag(r);
             return true;
         case RecordKind::SpindleMode:
@@ -140,14 +140,14 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             const StoreRequest q = request_of_record(number_, r);
             const auto kind = static_cast<StoreRequestKind>(q.kind);
             const std::string_view name(q.name.data(), ::strnlen(q.name.data(), q.name.size()));
-            // A tool's life may be its wear: then there is news of it.
+            // A tool's life may be its wear: then the operator is notified.
             if (kind == StoreRequestKind::OffsetValue && ToolClient::managed(core_))
                 return core_.store.ask_tool(kind, q.channel, q.number, q.field, q.value, name,
                                             core_.tick, core_.config.answer_ticks);
             return core_.store.write(kind, q.channel, q.number, q.field, q.value, name);
         }
         case RecordKind::SpindleMode:
-            // nobody waits
+            // nothing waits
             if (static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position) {
                 (void)position_spindle(r);
                 phase_ = Phase::None;
@@ -203,7 +203,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
     }
 }
 
-// What the program says beside its path.
+// Statements of the program outside the path.
 void ChannelRunner::flag(const PathRecord& r) noexcept {
     switch (r.code) {
         case kFlagTapping:
@@ -355,8 +355,8 @@ void ChannelRunner::strobe(const PathRecord& r) noexcept {
     }
 }
 
-// The PLC hears of the program's end too, and stops what belongs to it; the end itself waits for
-// nobody.
+// The PLC is notified of the program's end too, and stops what belongs to it; the end itself does
+// not wait.
 void ChannelRunner::strobe_end(StopReason reason) noexcept {
     if (reason != StopReason::M02 && reason != StopReason::M30) return;
     PathRecord r{};
@@ -394,7 +394,7 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
             return false;
         }
     }
-    // Nobody waits for its end, but the PLC has to see it while the spindle that it means is the
+    // Its end is not waited for, but the PLC has to see it while the spindle that it means is the
     // selected one.
     if ((r.flags & kPositioning) && core_.tick <= phase_since_ + core_.config.plc_cycle_ticks)
         return false;
@@ -412,9 +412,9 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     return true;
 }
 
-// Which tool it is, and where it stands: asked of the store before the PLC hears of the T. A
-// refusal is said once; it is not asked again before a reset, so that nothing moves by itself when
-// the reason is gone.
+// Which tool it is, and its station: asked of the store before the PLC gets the T. A refusal is
+// reported once; it is not asked again before a reset, so that nothing moves by itself when the
+// reason is gone.
 bool ChannelRunner::tool_is_known(const PathRecord& r) noexcept {
     const ToolClient::Call call = core_.tools.call(index_);
     if (call == ToolClient::Call::Answered) return true;
@@ -499,8 +499,8 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
     }
 }
 
-// Ownership (architecture 5.9): who commanded last owns the spindle, unless the PLC says who;
-// nobody takes it away from a channel that needs its speed just now.
+// Ownership (architecture 5.9): the last commanding channel owns the spindle, unless the PLC
+// decides; a channel that needs the spindle's speed just now keeps it.
 bool ChannelRunner::take_spindle(const PathRecord& r, std::uint32_t number, bool lock) noexcept {
     if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) {
         raise(Alarm::SpindleUnknown, name_of('S', number ? number - 1 : 0).view());
@@ -564,7 +564,7 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
 // Another channel that machines with the follower keeps it: it cuts a thread, taps or turns with
 // constant surface speed (locked_by), or its program drives the C axis on that drive. A program in
 // hold or at a barrier has it still, one that an alarm has broken off does until its reset: in its
-// tool stands the workpiece that would turn.
+// tool the workpiece is clamped and would turn.
 bool ChannelRunner::needed_elsewhere(std::uint32_t follower) const noexcept {
     if (follower < kMaxAxes || follower >= kMaxAxes + kMaxSpindles) return false;
     const std::uint32_t s = follower - static_cast<std::uint32_t>(kMaxAxes);
@@ -670,8 +670,8 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
                 spindle.demand_speed(std::fabs(r.value), r.shape[0]);
             else
                 spindle.demand_speed(std::fabs(r.value));
-            // The PLC hears of it (a gear range may have to be chosen); nobody waits for its
-            // answer.
+            // The PLC is notified (a gear range may have to be chosen); the path does not wait for
+            // its answer.
             core_.signals.set_nc(signals::cn_scode(number_),
                                  static_cast<std::int32_t>(std::lround(std::fabs(r.value))));
             core_.signals.set_nc(signals::cn_sstr(number_),
@@ -692,7 +692,7 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
         case SpindleModeCode::Couple:
         case SpindleModeCode::Uncouple:
         case SpindleModeCode::Position:
-            break;  // stands: position_spindle(), couple_spindle()
+            break;  // stationary: position_spindle(), couple_spindle()
         case SpindleModeCode::Watch:
             spindle.watch_fluctuation(true, r.value, r.shape[0], r.shape[2], r.shape[3]);
             break;

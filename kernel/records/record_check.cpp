@@ -283,7 +283,7 @@ const char* RecordCheck::fault_of(const PathRecord& r, const Kinematics* k, cons
     if (moves)
         keep_end(r);
     else if (r.flags & kDrains)
-        has_end_ = false;  // the channel has looked where its axes stand
+        has_end_ = false;  // the channel has read its axes' positions
     else
         switch (static_cast<RecordKind>(r.kind)) {
             case RecordKind::PositioningAxis:
@@ -291,7 +291,7 @@ const char* RecordCheck::fault_of(const PathRecord& r, const Kinematics* k, cons
             case RecordKind::Home:
             case RecordKind::Torque:
             case RecordKind::Stop:
-            // axes are moved beside the path
+            // axes are moved asynchronously
             case RecordKind::SpindleMode:
                 has_end_ = false;
                 break;

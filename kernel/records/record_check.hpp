@@ -1,14 +1,14 @@
-// Is what a channel's process has sent a record that can be driven? Its process may be broken or
-// hostile: nothing of it is believed.
+// Checks that a record from a channel's process can be driven. The process may be broken or
+// hostile: nothing of it is trusted.
 //
-// Asked of the kernel's own copy, once, before anything of it acts (record_inbox.hpp). What holds
+// Called on the kernel's own copy, once, before anything of it acts (record_inbox.hpp). What holds
 // behind it, for every record of an inbox:
 //   V1  axis_count fits the arrays; the axes of a motion exist, are the channel's (by the routes in
 //   force) and none is there twice V2  slots of a plane, spindles, channels, inputs, letters, modes
 //   and kinds are within their ranges; texts end V3  every number that is computed with is finite,
 //   and small enough to be counted in increments V4  a motion begins where the one before it ended,
 //   and its geometry says so too
-// Limits of speed are not believed either, but watched where they show: command_watch.hpp.
+// Speed limits are not trusted either, but monitored where they act: command_watch.hpp.
 #pragma once
 #include <cstdint>
 

@@ -1,5 +1,4 @@
-// The spindles' part of a tick: what the PLC and the channels ask of them, what is told about them,
-// and their faults.
+// The spindles' part of a tick: commands of the PLC and the channels, status reports, and faults.
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +10,9 @@ namespace {
 constexpr double kDisplacedDeg = 1e-3;
 }  // namespace
 
-// The operator's override of this spindle: none in a tapping cycle, and none beside the program's
-// own (fagor part 2, 11.2.10: program before panel); in the language fagor from MINSOVR to MAXSOVR
-// (part 1, 5.3).
+// The operator's override of this spindle: none in a tapping cycle, and none while the program sets
+// its own (fagor part 2, 11.2.10: program before panel); in the language fagor from MINSOVR to
+// MAXSOVR (part 1, 5.3).
 double Machine::operator_share(const SpindleUnit& spindle) const noexcept {
     if (spindle.owner == 0) return spindle.override_factor;
     if (channels_[spindle.owner - 1]->own_spindle_override()) return 1.0;
@@ -75,7 +74,7 @@ void Machine::open_axis(unsigned index, double at) {
     core_.shared_axes[index].has_drive = true;
 }
 
-// Who has a shared drive in this tick; it changes hands only at standstill.
+// The user of a shared drive in this tick; it changes hands only at standstill.
 void Machine::share_drives() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         const std::uint32_t s = core_.config.axes[a].on_spindle;

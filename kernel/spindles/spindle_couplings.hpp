@@ -1,10 +1,11 @@
-// What turns by somebody else's turns: a synchronous spindle, a polygon cutter, the workpiece axis
-// of the electronic gear box (nct_parameters_part1 8.9, part2 19, fanuc_lathe 10.1, architecture
-// 5.8). One mechanism for all of them:
+// Elements that follow a master spindle: a synchronous spindle, a polygon cutter, the workpiece
+// axis of the electronic gear box (nct_parameters_part1 8.9, part2 19, fanuc_lathe 10.1,
+// architecture 5.8). One mechanism for all of them:
 //
-//   follower's turns = ratio * master's turns + phase + helix * way of an axis + own turns        master: as its encoder says, estimated
+//   follower's turns = ratio * master's turns + phase + helix * axis travel + own turns       
+//   master: as its encoder says, estimated
 //
-// The follower comes onto that line from whatever it does (kernel/motion/line_follower.hpp), within
+// The follower reaches that line from any state (kernel/motion/line_follower.hpp), within
 // its own limits and while the master goes on turning; while it follows, the master is neither
 // faster nor steeper than the follower can be. Phase: zero pulse against zero pulse plus N0685
 // counts of the follower; without one, as it comes.
@@ -38,7 +39,7 @@ public:
         bool gear = false;          // G81.8: reset leaves it, N1800 says how it ends
     };
     Refusal couple(Core& core, const Wish& wish) noexcept;
-    // it brakes, or turns as it is told, by itself
+    // it brakes, or turns as commanded, by itself
     void uncouple(std::uint32_t follower) noexcept;
     // ends what this channel's program has coupled, but gears
     void reset(std::uint32_t channel) noexcept;

@@ -11,7 +11,7 @@ constexpr double kFrequencyHz = 15.0, kDamping = 1.0;
 constexpr double kDriveLagS = 2.0 * kDamping / (2.0 * kPi * kFrequencyHz);
 constexpr std::int32_t kRight = 3, kLeft = 4, kOrient = 19;
 constexpr double kSmallestDiameterMm = 1e-3;
-constexpr double kSwitchOnS = 1.0;  // a drive that is told to operate does so by then
+constexpr double kSwitchOnS = 1.0;  // a drive that is enabled operates by then
 // beyond N0752: so many revolutions without pulse or switch
 constexpr double kSearchTurns = 3.0;
 // the orientation speed counts as reached within this share of it
@@ -78,7 +78,7 @@ bool SpindleUnit::at_speed(std::int32_t rotation) const noexcept {
 double SpindleUnit::feedforward() const noexcept {
     if (coupled_) return 1.0;  // a follower must not lag behind
     if (!config_.feedforward) return 0.0;
-    // beside tapping all its moves are rapid
+    // except in tapping all its moves are rapid
     const bool on = tapping_ ? tap_feedforward_ : config_.feedforward_in_rapid;
     return on ? range().feedforward : 0.0;
 }
@@ -234,7 +234,7 @@ double SpindleUnit::closed_speed(const SpindleInput& in) noexcept {
     const double position = positioner_.position();
     if (position != last_position_) backlash_ = position > last_position_ ? 0.0 : -range().backlash;
     last_position_ = position;
-    // A follower's drive is told ahead what it will lag behind.
+    // A follower's drive gets in advance what it will lag behind.
     const double ahead = coupled_ ? kDriveLagS * coupled_a_ : 0.0;
     return loop_controller_.output(position + backlash_, in.tick_s, range(), gain(),
                                    feedforward()) +

@@ -1,17 +1,17 @@
-// One spindle: who commands it, how fast it is to turn, its ramps, its position loop, and the drive
-// with its encoder.
+// One spindle: its commanding channel, commanded speed, ramps, position loop, and the drive with
+// its encoder.
 //
 //   S or surface speed -> x override -> limits of the gear range -> limit of G96 -> sign from
 //   SP_ROT -> ramp -> drive
-// (nct_parameters_part1 8.6). The PLC decides whether and which way it turns (SP_ROT 3, 4, 5),
-// programs only how fast.
+// (nct_parameters_part1 8.6). The PLC decides whether and in which direction it turns (SP_ROT 3, 4,
+// 5), programs only the speed.
 //
 //   Turning ---SP_OREQ---> Approach ----------------------> Closed       SP_OREQ gone: Turning again, at the speed it has
 //                 |          | M19 and the zero pulse unknown  ^
 //                 |          '--> Searching ---zero pulse------'
 //                 '--standing, nothing to search---------------'
 // M19 (SP_ROT 19): approach at N0801, then to zero pulse + N0684 + the angle that the program
-// wants. Any other code with SP_OREQ (N0823): brake, and close where it stands.
+// wants. Any other code with SP_OREQ (N0823): brake, and close the loop at that position.
 #pragma once
 #include <cstdint>
 
@@ -25,7 +25,7 @@
 
 namespace polyturn::kernel {
 
-// What a tick tells the spindle. rotation: SP_ROT (0 like 5).
+// A tick's command to the spindle. rotation: SP_ROT (0 like 5).
 struct SpindleInput {
     double tick_s = 0.001;
     std::int32_t rotation = 0;
@@ -33,7 +33,7 @@ struct SpindleInput {
     bool close_loop = false;     // SP_OREQ
     bool creep = false;          // SP_PAR
     bool orient_switch = false;  // SP_OSW
-    bool muted = false;          // somebody else has the drive, or it is detached
+    bool muted = false;          // the drive is in use elsewhere, or it is detached
     double override_factor = 1;
     double most_rpm = std::numeric_limits<double>::infinity();  // setup mode
     double axis_position = 0;            // of the axis that surface speed follows
@@ -58,7 +58,7 @@ public:
         NotOn
     };
 
-    // Not in the cyclic thread. The drive is opened by the caller; `simulated` is what stands
+    // Not in the cyclic thread. The drive is opened by the caller; `simulated` is what is
     // behind it (truth for the trace).
     void open(const SpindleConfig& config, double tick_s, const PolyturnDriveApi& api, void* drive,
               SimulatedDrive* simulated);
@@ -91,9 +91,8 @@ public:
         surface_centre_ = centre;
     }
     void limit_surface_speed(double rpm) noexcept { surface_limit_ = rpm; }
-    // An angle in degrees from zero pulse + grid shift, or a way in degrees. A loop that is open
-    // takes an angle as the place where it will be oriented; false: only a closed loop can be told
-    // a way.
+    // An angle in degrees from zero pulse + grid shift, or a travel in degrees. A loop that is open
+    // takes an angle as the target of its orientation; false: only a closed loop can take a travel.
     bool demand_position(double degrees, SpindleApproach how, double feed_rev_s = 0) noexcept;
     void watch_fluctuation(bool on, double time_s, double start_percent, double percent,
                            double rpm) noexcept {
@@ -101,7 +100,7 @@ public:
     }
     Mode mode() const noexcept { return mode_; }
     std::uint32_t surface_axis() const noexcept { return surface_axis_; }  // from 0
-    // Where that axis counts as standing: it is, unless a rapid move holds the speed
+    // The position that counts for that axis: its actual one, unless a rapid move holds the speed
     // (Machine::surface_position).
     double surface_position = 0;
     bool demanded_anew() const noexcept { return fresh_demand_; }
@@ -162,9 +161,9 @@ public:
         tap_feedforward_ = feedforward;
     }
 
-    // Somebody else's turns (spindle_couplings.hpp): where it must be at this tick's end, by its
-    // encoder over all revolutions. The loop closes on the running spindle; uncoupled, it goes on
-    // at the speed that it has, as it is told.
+    // Following another spindle (spindle_couplings.hpp): where it must be at this tick's end, by
+    // its encoder over all revolutions. The loop closes on the running spindle; uncoupled, it goes
+    // on at its present speed, as commanded.
     void couple(const PathState& at, bool well) noexcept {
         coupled_to_ = at.s;
         coupled_a_ = at.a;
@@ -189,7 +188,7 @@ public:
     double ceiling_rpm = std::numeric_limits<double>::infinity();
     double ceiling_ramp = std::numeric_limits<double>::infinity();
     double override_factor = 1.0;
-    std::uint16_t simulate = 0;    // what its drive is to play, if it is a simulated one
+    std::uint16_t simulate = 0;    // behaviour of its drive, if it is a simulated one
     std::uint32_t owner = 0;       // channel that commands it
     std::uint32_t locked_by = 0;   // channel whose G96, thread or tap needs it; 0 none
     bool override_locked = false;  // in a thread (N0607 TOE)

@@ -1,9 +1,9 @@
-// What is said about a spindle's speed (nct_parameters_part1 8.5): reached (SN_NS), standing
-// (SN_N0), fluctuating (SN_FLU).
+// Monitoring of a spindle's speed (nct_parameters_part1 8.5): reached (SN_NS), standstill (SN_N0),
+// fluctuating (SN_FLU).
 //
 //   G26 and a new command    waiting     until the speed is within N0631 of the command, or N0630 has passed
 //                            watching    until it leaves both bands N0632 and N0633: fluctuating
-// Nothing is said of a spindle without an encoder (N0608 = 0).
+// Nothing is reported of a spindle without an encoder (N0608 = 0).
 #pragma once
 #include "kernel/config/spindle_config.hpp"
 
@@ -16,7 +16,7 @@ public:
     // G26: values that the program gives; NaN: those of the parameters.
     void fluctuation(bool on, double time_s, double start_percent, double percent,
                      double rpm) noexcept;
-    bool reached() const noexcept { return reached_; }  // or standing: both are on at standstill
+    bool reached() const noexcept { return reached_; }  // or stopped: both are on at standstill
     bool standing() const noexcept { return standing_; }
     bool fluctuates() const noexcept { return fluctuates_; }
     double deviation() const noexcept { return deviation_; }

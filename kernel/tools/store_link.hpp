@@ -39,7 +39,7 @@ public:
     // False when the ring is full: the record that writes waits.
     [[nodiscard]] bool write(StoreRequestKind kind, std::uint32_t channel, std::int32_t number,
                              std::int32_t field, double value, std::string_view name) noexcept;
-    // Whose command what follows comes from; 0: a program's, or the machine's own.
+    // The source of the commands that follow; 0: a program, or the machine itself.
     void set_asker(std::uint32_t level, std::uint32_t user) noexcept {
         level_ = level;
         user_ = user;
@@ -50,8 +50,8 @@ public:
                                      std::int64_t answer_ticks) noexcept {
         return ask(StoreRequestKind::Parameter, 0, 0, 0, 0.0, line, tick + answer_ticks, false);
     }
-    // About a tool: a T call, or a write whose answer is news of the tool that works
-    // (StoreSegment::tool_answers).
+    // About a tool: a T call, or a write whose answer is a change notification about the tool in
+    // work (StoreSegment::tool_answers).
     [[nodiscard]] bool ask_tool(StoreRequestKind kind, std::uint32_t channel, std::int32_t number,
                                 std::int32_t field, double value, std::string_view name,
                                 std::int64_t tick, std::int64_t answer_ticks) noexcept {
@@ -82,7 +82,7 @@ public:
             if (due_[i].value) return true;
         return false;
     }
-    // Room for every write that the channels have planned (kWritesAhead each) and for what the
+    // Capacity for every write that the channels have planned (kWritesAhead each) and for what the
     // machine writes of its own.
     bool has_room() const noexcept {
         // P3: how much room; claim() looks itself (P2)

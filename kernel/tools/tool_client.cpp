@@ -74,7 +74,7 @@ void ToolClient::rebind(KernelSegment& image, const StoreSegment& store) noexcep
 
 bool ToolClient::ask(Core& core, unsigned index, const PathRecord& r) noexcept {
     Context& context = context_[index];
-    if (!flush(core, index)) return false;  // who is called depends on what is used up
+    if (!flush(core, index)) return false;  // which tool is called depends on tool life
     const std::string_view name =
         r.plane[1] ? std::string_view(r.text.data(), ::strnlen(r.text.data(), r.text.size()))
                    : std::string_view{};

@@ -1,16 +1,16 @@
-// Tools as the cyclic thread sees them: it asks the store which tool a T means and where it stands,
-// tells it which tool works, and counts its life while it cuts. Waits for nobody: a T stays open
-// until its answer is there.
+// The cyclic thread's client of tool management: it asks the store which tool a T means and where
+// it is, reports which tool is in work, and counts its life while it cuts. It never waits: a T
+// stays open until its answer is there.
 //
 //   T record -> ToolCall -> (store) -> ToolAnswer -> CN_MGZNO CN_POTNO CN_TOOLNO, strobe -> PLC
 //   turns the turret, CP_TFIN
 //            -> ToolInPlace. In a machine with a tool spindle M06 follows: ToolChanged.
 //
-// In virtual time an answer acts exactly PT_ANSWER_TICKS after its question. An answer that is news
-// is about the tool that works: its life was reset, or its wear has grown; news that a program's
-// write has caused (id) waits for that write's tick. Life goes to the store once a second, at a
-// change of tools and when the program stops; what a kernel that dies has not sent is lost with it,
-// at most that second. Nothing is counted in a dry run or with the machine locked.
+// In virtual time an answer acts exactly PT_ANSWER_TICKS after its question. A change notification
+// concerns the tool in work: its life was reset, or its wear has grown; a notification that a
+// program's write has caused (id) waits for that write's tick. Tool life goes to the store once a
+// second, at a tool change and when the program stops; when the kernel dies, at most the last
+// second is lost. Nothing is counted in a dry run or with machine lock.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -30,14 +30,14 @@ public:
     void start(KernelSegment& image, const StoreSegment& store);
     void rebind(KernelSegment& image, const StoreSegment& store) noexcept;
     static bool managed(const Core& core) noexcept;  // N2900 TMU
-    // Of channel index (from 0). False: no room, ask again.
+    // Of channel index (from 0). False: the ring is full, ask again.
     bool ask(Core& core, unsigned index, const PathRecord& r) noexcept;
     void take_answers(Core& core) noexcept;  // at a tick's start
     Call call(unsigned index) const noexcept { return context_[index].call; }
     const ToolAnswer& answer(unsigned index) const noexcept { return context_[index].answer; }
     std::int64_t asked_at(unsigned index) const noexcept { return context_[index].asked_at; }
-    // A restart at a block passes this T (changes: an M06) without calling the tool: the answer
-    // tells whose offset counts.
+    // A restart at a block passes this T (changes: an M06) without calling the tool: the answer has
+    // the offset that counts.
     void pass(const Core& core, unsigned index, bool changes) noexcept;
     // Another tool answers now than when the T was passed: its offset is not the one that the
     // program goes on with.
@@ -58,7 +58,7 @@ public:
     bool pieces(Core& core, unsigned index, double count) noexcept;
     // what was counted goes to the store; false: its ring is full
     bool flush(Core& core, unsigned index) noexcept;
-    // What the channel shall do because life is over: told once.
+    // The channel's reaction to the end of tool life: reported once.
     enum class End : std::uint8_t { Nothing, StopAfterPart, Hold };
     End take_end(unsigned index) noexcept {
         const End end = context_[index].end;
@@ -84,7 +84,7 @@ private:
         struct Passed {
             bool any = false;
             std::int32_t tool = 0, offset = 0, radius_offset = 0;
-        } passed, passed_next;  // instead of the one at work while a restart looks for its block
+        } passed, passed_next;  // instead of the tool in work while a restart looks for its block
         Working now;
         double counted = 0;  // not yet sent
         double since_s = 0;
@@ -93,7 +93,7 @@ private:
         std::array<std::int32_t, kPerPart> used{};
         std::size_t used_count = 0;
         std::int64_t told_at = -1;  // tick of the last SETPIECE: what was cut in it came before
-        std::array<std::int32_t, kPerPart> made{};  // pieces that are not yet told
+        std::array<std::int32_t, kPerPart> made{};  // pieces that are not reported yet
         std::size_t made_count = 0;
     };
     void work(Core& core, unsigned index, const ToolAnswer& answer) noexcept;

@@ -1,10 +1,10 @@
-// What the offset in use takes from a channel's axes, as the block that runs has it: read from the
-// pictures that the channel draws for screens (ipc/image/block_pictures.hpp). A cursor goes forward
-// through them as the blocks are executed, a few pictures a tick.
+// What the offset in use takes from a channel's axes, as of the running block: read from the block
+// snapshots that the channel writes for screens (ipc/image/block_pictures.hpp). A cursor advances
+// through them as the blocks are executed, a few snapshots a tick.
 //
-// A channel that is ahead by more pictures than the ring holds has written over what the cursor
-// stands on; then it goes on from the oldest that is left, which is newer than the running block.
-// That takes 2047 changes of what holds within the path ahead.
+// A channel that is ahead by more snapshots than the ring holds has overwritten the one under the
+// cursor; then the cursor goes to the oldest that is left, which is newer than the running block.
+// That takes 2047 changes of modal data within the path ahead.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Outlines of the tools that stand in the turrets, as protection guards them
-// (ipc/machine/bodies/tool_shapes.hpp): read by a thread that may take its time, then handed to the
+// Outlines of the tools in the turrets, as protection guards them
+// (ipc/machine/bodies/tool_shapes.hpp): read by a thread outside the cyclic one, then handed to the
 // cyclic thread as plain numbers.
 #pragma once
 #include "ipc/machine/bodies/tool_shapes.hpp"

@@ -1,4 +1,4 @@
-// What became of a channel that restarts at a block together with others (restart_groups.hpp).
+// The result of a channel that restarts at a block together with others (restart_groups.hpp).
 #pragma once
 #include <cstdint>
 

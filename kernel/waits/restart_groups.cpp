@@ -15,7 +15,7 @@ RestartGroups::Asked RestartGroups::ask(unsigned channel, ChannelSet together,
         } else if (group.set == 0 && place == groups_.size())
             place = g;
     }
-    // more restarts that nobody finishes than channels
+    // more unfinished restarts than channels
     if (place == groups_.size()) return {0, 0, true};
     Group& group = groups_[place];
     if (group.set == 0) {

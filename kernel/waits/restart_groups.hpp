@@ -1,6 +1,6 @@
-// Channels that restart at a block together (press restart L1=N170 L2=N100). They search each for
-// itself, replay the waits between them, and stand at their blocks; what is true of one search is
-// true of none until all have found their place.
+// Channels that restart at a block together (press restart L1=N170 L2=N100). Each searches by
+// itself, replays the waits between them, and stops at its block; a search is complete only when
+// all have found their blocks.
 //
 //             asked              block found                      all are there
 //   (nothing) -----> Searching -------------> AtBlock ... of all: -------------> a start of each is
@@ -26,7 +26,7 @@ namespace polyturn::kernel {
 class RestartGroups {
 public:
     using Fate = RestartFate;
-    // A group that ends: who must go back to reset (those in alarm too), and why.
+    // A group that ends: channels that must go back to reset (those in alarm too), and why.
     struct Refusal {
         ChannelSet back = 0;
         ChannelSet all = 0;  // of the restart
@@ -39,7 +39,7 @@ public:
     // restart is refused already, it does not begin.
     struct Asked {
         std::size_t place = 0;
-        std::uint32_t id = 0;  // told apart from every other restart
+        std::uint32_t id = 0;  // distinguishes it from every other restart
         bool over = false;
     };
     Asked ask(unsigned channel, ChannelSet together, std::int64_t tick) noexcept;
@@ -96,9 +96,9 @@ public:
 
 private:
     struct Group {
-        ChannelSet set = 0;      // that restart together; 0: this place is free
-        ChannelSet asked = 0;    // whose command has come
-        ChannelSet members = 0;  // that search or stand at their blocks
+        ChannelSet set = 0;      // that restart together; 0: this entry is free
+        ChannelSet asked = 0;    // channels whose command has come
+        ChannelSet members = 0;  // that search or are at their blocks
         std::int64_t since = 0;  // tick of the first command
         std::uint32_t id = 0;
         bool complete = false, over = false;

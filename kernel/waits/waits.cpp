@@ -17,7 +17,7 @@ bool WaitBoard::marked(const Marks& marks, unsigned channel, std::int32_t code) 
 bool WaitBoard::meets(std::int32_t code, ChannelSet set, const Phase& as,
                       unsigned other) const noexcept {
     const bool searches = as.kind == Kind::Search;
-    // who restarts too has not come to its end
+    // one of the restart has not come to its end
     if (code == kProgramEnd) return !searches && standing_[other].ended;
     const Arrival& there = arrivals_[other];
     return (counts(other) && there.code == code && there.set == set && phase(other) == as) ||
@@ -63,7 +63,7 @@ ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
     for (unsigned c = 0; c < kMaxChannels; ++c)
         if (counts(c) && ((no_wait >> c & 1u) || missing(c, no_wait) == 0))
             out |= ChannelSet{1} << c;
-    // Decided for all before anybody leaves: the partners of one meeting see each other.
+    // Decided for all before any channel leaves: the partners of a rendezvous see each other.
     for (unsigned c = 0; c < kMaxChannels; ++c)
         if (out >> c & 1u) {
             Marks& marks = arrivals_[c].phase.kind == Kind::Search ? searched_ : marks_;
@@ -76,8 +76,7 @@ ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
 WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const noexcept {
     const Arrival& mine = arrivals_[channel];
     if (!counts(channel)) return {};
-    // nobody but these can be meant by a fault: what else stands in the way, the operator takes
-    // away
+    // a fault can only mean these; other obstacles are removed by the operator
     ChannelSet alike = 0;
     for (unsigned k = 0; k < kMaxChannels; ++k)
         if (counts(k) && phase(k) == phase(channel)) alike |= ChannelSet{1} << k;
@@ -89,7 +88,7 @@ WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const 
     }
     // A channel leaves only when all that it misses have come, so one stuck partner suffices: walk
     // from this channel along «misses, and that one waits elsewhere»; coming back to it closes a
-    // circle. Only circles through the newcomer are new.
+    // deadlock. Only deadlocks through the newcomer are new.
     ChannelSet reached = 0, frontier = ChannelSet{1} << channel;
     std::array<std::uint8_t, kMaxChannels> from{};
     while (frontier) {

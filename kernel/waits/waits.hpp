@@ -1,14 +1,16 @@
-// Who waits for whom (architecture 7, nct_parameters_part2 23; docs/design/waits.md). A wait is a
-// code and a set of channels. All channels of the set that have arrived leave in the same tick:
-// when each channel of the set has arrived at the same code with the same set, or is one for which
-// nobody waits (CP_NOWT). A channel with its own CP_NOWT waits for nobody.
+// Waits between channels (architecture 7, nct_parameters_part2 23; docs/design/waits.md). A wait is
+// a code and a set of channels. All channels of the set that have arrived leave in the same tick:
+// when each channel of the set has arrived at the same code with the same set, or is one that is
+// not waited for (CP_NOWT). A channel with its own CP_NOWT does not wait.
 //
-//   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a circle, no third channel can open it
-//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is on its way: no circle
+//   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a deadlock, no third
+//   channel can resolve it
+//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is on its way: no
+//   deadlock
 //
 // I1  An arrival is consumed by its release; a fast channel is never counted for an earlier
-// meeting. I2  An arrival counts only in the run of the program that made it, and only while that
-// program is live: no alarm, reset or death has
+// rendezvous. I2  An arrival counts only in the run of the program that made it, and only while
+// that program is live: no alarm, reset or death has
 //     to take it away, and none can forget to.
 // I3  Only like meets like: a cut a cut, a dry run a dry run, a block by hand another one, a search
 // one of the same restart. Pure arithmetic on 16 channels: no clock, no image. Tested against plain
@@ -44,7 +46,7 @@ public:
         std::uint64_t run = 0;
         Phase phase;
     };
-    // What a channel is, told each tick before release().
+    // State of a channel, set each tick before release().
     struct Standing {
         std::uint64_t run = 0;  // grows with each start and each reset
         bool live = false;      // its program runs: no alarm, reset or death ends it
@@ -56,7 +58,7 @@ public:
     enum class Fault : std::uint8_t { None, OtherSet, Circle };
     struct Verdict {
         Fault fault = Fault::None;
-        ChannelSet with = 0;  // the channels it concerns beside the one that arrived
+        ChannelSet with = 0;  // the channels concerned besides the one that arrived
     };
 
     // Code of a wait for the end of the programs of its set, whatever those wait for themselves.
@@ -69,7 +71,7 @@ public:
     void arrive(unsigned channel, std::int32_t code, ChannelSet set, std::uint64_t run = 0,
                 Phase phase = {}) noexcept {
         arrivals_[channel] = {true, code, set, run, phase};
-        // it stands there from now on, for those that look in this very tick
+        // it is there from now on, visible in this very tick
         standing_[channel].run = run;
         standing_[channel].live = true;
     }
@@ -90,7 +92,7 @@ public:
     }
     void take_search(unsigned channel) noexcept { marks_[channel] = searched_[channel]; }
     const Arrival& at(unsigned channel) const noexcept { return arrivals_[channel]; }
-    // It stands at a code now, and may be met there.
+    // It is at a code now; others may rendezvous with it there.
     bool counts(unsigned channel) const noexcept {
         return arrivals_[channel].here && standing_[channel].live &&
                arrivals_[channel].run == standing_[channel].run;
@@ -101,15 +103,15 @@ public:
 
     // Channels of its set that `channel` still misses.
     ChannelSet missing(unsigned channel, ChannelSet no_wait) const noexcept;
-    // Of these, who stands at the same code with the same set and is not met because something else
-    // has led it there.
+    // Of these, the channels that are at the same code with the same set but do not count as
+    // arrived, because another operation (restart, MDI) has led them there.
     ChannelSet unlike(unsigned channel, ChannelSet no_wait) const noexcept;
     // Would a channel that came to (code, set) now pass at once? Flying waits ask before they
     // arrive.
     bool open_for(unsigned channel, std::int32_t code, ChannelSet set, ChannelSet no_wait,
                   Phase as = {}) const noexcept;
-    // Who leaves now. Call once a tick, after all arrivals of the tick; their arrivals are
-    // consumed.
+    // The channels that leave now. Call once a tick, after all arrivals of the tick; their arrivals
+    // are consumed.
     ChannelSet release(ChannelSet no_wait) noexcept;
     // Is what `channel` just arrived at impossible? Ask after release().
     Verdict judge(unsigned channel, ChannelSet no_wait) const noexcept;

@@ -94,7 +94,7 @@ int serve(const std::string& instance) {
     std::uint64_t seen = 0;
     unsigned silent = 0;
     for (;;) {
-        // in real time a cycle may be missed: its drives go on as they were told last
+        // in real time a cycle may be missed: its drives keep their last command
         const std::uint64_t before = seen;
         // P6: the bell is read before the look for commands
         const std::uint32_t bell = __atomic_load_n(&in->bell, __ATOMIC_ACQUIRE);

@@ -5,7 +5,7 @@
 
 namespace polyturn::plc {
 
-// Where a station lies on the turret's way round, in steps: with half stations the second half of
+// The position of a station on the turret, in steps: with half stations the second half of
 // the numbers lies between the first.
 std::int32_t LathePlc::step_of(const ChannelSettings& set, std::int32_t station) const {
     if (!set.half) return station - 1;

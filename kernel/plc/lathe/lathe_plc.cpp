@@ -107,8 +107,8 @@ void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
     finish_m(view, channel);
 }
 
-// A program that an axis runs beside the path turns the spindle of its channel (tapping and boring
-// on it); a refusal stands until the channel's reset, as one of its own codes would.
+// A program of a positioning axis turns the spindle of its channel (tapping and boring on it); a
+// refusal holds until the channel's reset, as one of its own codes would.
 void LathePlc::take_axis_codes(View view) {
     for (std::size_t a = 0; a < kAxes; ++a) {
         const AxisCodes& slot = axis_codes_[a];
@@ -216,7 +216,7 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
     }
     if (pending.task == Task::InPosition || pending.range == kThenNothing)
         return finish_m(view, channel);
-    // What was to happen once the spindle stands.
+    // Actions that wait for the spindle's standstill.
     if (pending.range == kThenHelper) {
         (void)helper_code(view, channel, spindle, pending.slot);
         return;

@@ -41,18 +41,18 @@
 // the turret halts between stations. Lubrication: an impulse of PT_LUBE_TIME whenever an axis has
 // travelled its distance (AN_LUBR). Inputs that must be on, 0 for one that is not wired: door
 // closed (PT_IN_DOOR), clamping pressure (PT_IN_CHUCK), lubricant (PT_IN_LUBE), bar (PT_IN_BAR),
-// emergency stop circuit (PT_IN_ESTOP), mains (PT_IN_POWER). PT_IN_SETUP is on in setup mode. What
-// they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE, CP_BAREND,
-// CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes leave the work. PT_IN_KEY and the
-// two inputs behind it are the key switch (PLC_KEY).
+// emergency stop circuit (PT_IN_ESTOP), power supply (PT_IN_POWER). PT_IN_SETUP is on in setup
+// mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
+// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes retract. PT_IN_KEY and
+// the two inputs behind it are the key switch (PLC_KEY).
 //
 // Two spindles may hold one part: one that turns may open when its synchronous partner clamps, and
 // clamp what turns along; and a chuck that has been brought against a part (AN_FIXED) clamps only
-// when its master stands or it runs with it. A reset leaves them coupled until both stand. What a
-// program can ask: #1000 + S - 1 spindle S is synchronous (S1 to S8), #1008 + k the channel's axis
-// k (from 0) presses against its fixed stop, #1016 no tailstock supports the part.
+// when its master is stopped or it runs with it. A reset leaves them coupled until both stand. What
+// a program can ask: #1000 + S - 1 spindle S is synchronous (S1 to S8), #1008 + k the channel's
+// axis k (from 0) presses against its fixed stop, #1016 no tailstock supports the part.
 //
-// A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's
+// A refused code is not finished: the channel is stopped, PLC_ALARM names the reason, the channel's
 // reset clears both.
 #pragma once
 #include <array>
@@ -108,7 +108,7 @@ public:
     // (nct_parameters_part1 8.4).
     const char* resolve_fast(const PolyturnPlcInt0Host& host);
     void run_fast(const std::int32_t* read, std::int32_t* write) const;
-    // What survives power-off: where the turrets stand.
+    // Saved over power-off: the turrets' positions.
     static PolyturnPlcRetained retained();
 
 private:
@@ -166,7 +166,7 @@ private:
         bool chuck_open = false, closes = false, creeps = false, automatic_range = false,
              is_axis = false;
         std::uint8_t follow = 0;   // 1 its master, 2 with the phase
-        bool ends_follow = false;  // once it stands
+        bool ends_follow = false;  // once it is stopped
     };
     struct ChannelSlots {
         std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe,

@@ -86,8 +86,8 @@ void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std
     if (rotation != kStop)
         if (const Message why = why_not_turn(view, channel, spindle); why != kNoMessage)
             return refuse(channel, why);
-    // Turned the other way without a stop: a cut that follows must not begin before the kernel has
-    // heard of it, for then it would see its spindle taken away from under the cut.
+    // Turned in the other direction without a stop: a cut that follows must not begin before the
+    // kernel has been notified, else it would see its spindle taken away from under the cut.
     const bool reversed =
         (s.rotation == kRight && rotation == kLeft) || (s.rotation == kLeft && rotation == kRight);
     s.rotation = rotation;
@@ -133,7 +133,7 @@ void LathePlc::chuck(View view, std::uint32_t channel, std::uint32_t spindle, bo
     pending.due_tick = view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s);
 }
 
-// An axis of the channel stands against its fixed stop.
+// An axis of the channel is at its fixed stop.
 bool LathePlc::presses(View view, std::uint32_t channel) const {
     for (std::size_t a = 0; a < kAxes; ++a)
         if (axis_channel_[a] == channel && view.in.signal[torque_[a].fixed] != 0) return true;
@@ -173,7 +173,7 @@ bool LathePlc::follow_code(View view, std::uint32_t channel, std::int32_t code) 
 }
 
 // A program that has ended leaves two spindles with one part between them: they run down together
-// and come apart when they stand.
+// and are uncoupled at standstill.
 void LathePlc::end_follow(View view) {
     for (std::uint32_t n = 1; n <= kSpindles; ++n) {
         Spindle& s = spindles_[n - 1];
@@ -192,7 +192,7 @@ void LathePlc::change_gear(View view, std::uint32_t channel, std::uint32_t spind
     at(channel).pending = {Task::Gear, spindle, view.in.cycle + kCyclesUntilAnswer, 0, range};
 }
 
-// M40: the lowest range that can give the speed, engaged while the spindle stands.
+// M40: the lowest range that can give the speed, engaged while the spindle is stopped.
 void LathePlc::choose_range(View view, std::uint32_t spindle, double rpm) {
     Spindle& s = spindles_[spindle - 1];
     if (!s.automatic_range || view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;

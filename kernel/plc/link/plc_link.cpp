@@ -65,7 +65,7 @@ PlcLink::Take PlcLink::take_fast() noexcept {
     return Take::Taken;
 }
 
-// The cycle's inputs first: whoever sees those of the fast task of a tick sees them too, so that
+// The cycle's inputs first: one that sees those of the fast task of a tick sees them too, so that
 // the order in which the PLC works them off is always the same (Int0, then its cycle).
 void PlcLink::send_inputs() noexcept {
     const bool cycle = send_cycle(), fast = send_fast();
