@@ -135,7 +135,7 @@ void Compensator::move(const Move& m, const BlockContext& at) {
     cancel_ = false;
     if (cancels && (state_ == State::Armed || state_ == State::Resuming)) state_ = State::Off;
     if (options_.rapid_suspends && m.kind == MoveKind::Rapid && state_ == State::On && !cancels) {
-        // Nothing is known yet of the cut behind it: it is the way there, or it is driven as
+        // The cut behind it is not known yet: the move is the approach, or it is driven as
         // programmed.
         if (held_rapid())
             finish_at_programmed();
@@ -164,7 +164,7 @@ void Compensator::move(const Move& m, const BlockContext& at) {
                 deliver(m, at);
                 return;
             }
-            if (in_place_) {  // from where it stands square onto the contour
+            if (in_place_) {  // from its position square onto the contour
                 in_place_ = false;
                 start_ = Vectors::one({});
                 hold(m, at, Role::Contour);
@@ -227,7 +227,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         Vec gap;
         unsigned left_out = 0;
         if (!before_.empty() && !leave_out_short(next, corner, gap, left_out)) return;
-        if (first_) {  // the way in ends on an element farther on
+        if (first_) {  // the approach ends on an element farther on
             hold(m, at, Role::Contour);
             return;
         }
@@ -261,7 +261,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
 }
 
 void Compensator::cancel_block(const Move& m, const BlockContext& at) {
-    std::optional<Element> left;  // the way out is tangential to it
+    std::optional<Element> left;  // the retract is tangential to it
     if (is_arc(m)) {
         settle();
         if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
@@ -305,8 +305,8 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
     constant_ = false;
 }
 
-// Outside compensation the axes carry the tip: where the nose centre is at the free end of the way
-// in and of the way out.
+// Outside compensation the axes carry the tip: position of the nose centre at the free end of
+// approach and retract.
 Element Compensator::from_nose(Element e) const {
     if (options_.entry == Entry::Tangent) e.start = e.start - block_.tip;
     return e;
@@ -316,7 +316,7 @@ Element Compensator::to_nose(Element e) const {
     return e;
 }
 
-// The nose stops its radius before the end of the element: what stands there is not cut into (fagor
+// The nose stops its radius before the end of the element: what is there is not cut into (fagor
 // 8.2.7).
 Vectors Compensator::before_rapid() const {
     const Element& e = block_.element;

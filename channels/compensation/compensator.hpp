@@ -1,6 +1,6 @@
 // Nose-radius compensation for every language: a sink between the channel's state and the real
-// sink. It holds back one block until the next one tells where it has to end, and gives on what the
-// nose really does.
+// sink. It holds back one block until the next one determines its end, and passes on the motion of
+// the nose.
 //
 //   programmed move -> held block a  --(next block b)-->  vectors at the corner a/b -> check of a
 //   -> a is delivered
@@ -20,7 +20,7 @@
 //   nothing is delivered before resume(): blocks are read on
 //       meanwhile only as far as the held one needs.
 //   I4  closed(): nothing is held and no vector is left, the compensator may be taken out of the
-//   way.
+//   chain.
 #pragma once
 #include <optional>
 #include <vector>
@@ -36,7 +36,7 @@ class Compensator final : public Sink {
 public:
     struct Fault {
         Alarm alarm{};
-        bool this_block = false;  // the block that is being interpreted; else `at` tells
+        bool this_block = false;  // the block that is being interpreted; else `at` says
         BlockContext at;
     };
 
@@ -250,7 +250,7 @@ private:
     bool held_ = false, halted_ = false, failed_ = false;
     Held block_;                  // when held_
     std::vector<Before> before_;  // in succession, the newest last; block_ follows them
-    // of the contour, left out: the way in ends where an element meets what lengthens this one
+    // of the contour, left out: the approach ends where an element meets what lengthens this one
     std::optional<Element> first_;
     bool constant_ = false;  // the last moves were only shifted
     // where the next (or the held) block begins; at[0] has been reached
@@ -269,11 +269,11 @@ private:
     bool repeated_ = false, cancel_ = false, wish_set_ = false, suspended_ = false;
     Vec wish_;
     Bypass bypass_ = Bypass::None;
-    // Entry::Smooth, Curved: the element that the way in or out is tangential to
+    // Entry::Smooth, Curved: the element that approach or retract is tangential to
     std::optional<Element> touches_;
     bool moved_ = false, zero_ = false;  // in this block
     bool selected_ = false;              // G41, G42 in this block
-    bool in_place_ = false;              // compensation begins where the tool stands
+    bool in_place_ = false;              // compensation begins at the tool's position
     bool settled_ = false;               // the last element ended without knowing the next
     unsigned idle_blocks_ = 0;
 };

@@ -1,4 +1,5 @@
-// The way round an outer corner between the arc and the intersection (sinumerik_part2 11.3, DISC).
+// The transition at an outer corner between the arc and the intersection (sinumerik_part2 11.3,
+// DISC).
 //
 //          C               P  corner, |P A| = |P B| = r      A, B  normals at the corner
 //        .' '.             C  intersection of the equidistants, which touch the conic in A and B

@@ -87,9 +87,9 @@ Turn classify(const Element& a, const Element& b) {
 
 namespace {
 
-// Way in or out of a contour at its corner P, for a tool at `outside` behind the contour's tangent:
-// the tangent u from there to the circle about P, and along the circle to (from) the normal of the
-// contour; Corner::Intersection: the two tangents.
+// Approach to or retract from a contour at its corner P, for a tool at `outside` behind the
+// contour's tangent: the tangent u from there to the circle about P, and along the circle to (from)
+// the normal of the contour; Corner::Intersection: the two tangents.
 //   V = side * r * left(u),   u turned from the line to P by asin(r / distance)
 void add_tangent(Vectors& list, const Element& contour, Vec corner, Vec normal, Vec along,
                  Vec outside, bool entering, const Options& options) {

@@ -1,9 +1,9 @@
-// Which offset vectors the nose centre takes between two elements: the rules of start-up, offset
-// mode and cancel.
+// The offset vectors of the nose centre between two elements: the rules of start-up, offset mode
+// and cancel.
 //
 //   \  Q1 . . . . Q2          P  programmed corner, end of a and start of b
 //    \  . n1    n2 .   \      n  normals to the nose's side, d directions of travel, r nose radius
-//     \   .     .       \     inner corner    V = the meeting point of both equidistants
+//     \   .     .       \     inner corner    V = the intersection of both equidistants
 //      \    . .     b    \    outer, obtuse   likewise
 //   a   \----P---->       v   outer, acute    Q1 = r*(n1 + d1), Q2 = r*(n2 - d2): each element lengthened by r
 //
@@ -22,7 +22,7 @@ namespace polyturn::channels::compensation {
 struct Vectors {
     std::array<Vec, 5> at{};
     std::array<bool, 5> by_arc{};  // reached by an arc about the corner
-    // or by a conic: this share of the way from the arc to the intersection (conic.hpp)
+    // or by a conic: this share of the distance from the arc to the intersection (conic.hpp)
     std::array<double, 5> overshoot{};
     unsigned count = 0;
     unsigned of_first = 1;  // so many belong to a: a single block stop comes behind them

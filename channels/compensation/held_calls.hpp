@@ -1,6 +1,6 @@
-// Calls of a Sink, kept with their own copies of all texts, and made later in the same order.
+// Calls of a Sink, stored with their own copies of all texts, and made later in the same order.
 //
-// A call behind which the machine must stand (a drained function, a wait, a program stop, a
+// A call behind which the machine must stop (a drained function, a wait, a program stop, a
 // barrier) halts the passing on: what follows stays here until the machine has come to it, as run
 // mode wants it.
 #pragma once
@@ -63,7 +63,7 @@ public:
     void barrier(const BlockContext& at) { calls_.push_back({Barrier{}, own(at), {}, {}, {}}); }
     void block_end(const BlockContext& at) { calls_.push_back({BlockEnd{}, own(at), {}, {}, {}}); }
 
-    // something told to a later stage
+    // a call to a later stage
     void control(std::function<void()> told) {
         calls_.push_back({std::move(told), {}, {}, {}, {}});
     }

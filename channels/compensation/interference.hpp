@@ -1,5 +1,5 @@
-// Would the nose run an element backwards between its start vectors and its end vectors? Then the
-// inner vectors go.
+// Detects elements that the nose would run backwards between their start and end vectors, and
+// leaves out the inner vectors.
 //
 //   start of the element    V1 V2 V3 V4 | element | V5 V6 V7 V8    its end
 //                                    '-------------'               pairs are judged from the inside outwards:
@@ -13,8 +13,8 @@
 
 namespace polyturn::channels::compensation {
 
-// The nose centre from start + from to end + to: against the programmed direction, or round the
-// wrong way of an arc?
+// The nose centre from start + from to end + to: against the programmed direction, or in the
+// wrong direction of an arc?
 bool interferes(const Element& element, Vec from, Vec to);
 
 enum class Verdict : std::uint8_t {

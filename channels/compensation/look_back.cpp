@@ -39,7 +39,7 @@ void LookBack::aux(const Aux& a, const BlockContext& at) {
 }
 
 void LookBack::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
-    // what stands before the fault is driven
+    // what lies before the fault is driven
     if (diagnosis.severity() == Severity::Error) let_out();
     out_->alarm(diagnosis, at);
 }
@@ -65,7 +65,7 @@ Element LookBack::path_of(const Move& m) const {
     return is_arc(m) ? arc(start, end, {m.centre_p, m.centre_q}, m.sweep) : line(start, end);
 }
 
-// Do both pass a point, beside those where one of them begins or ends?
+// Do both pass a point, besides those where one of them begins or ends?
 bool LookBack::cross(const Piece& a, const Piece& b) const {
     const auto goes = [&](const Move& m) {
         return (m.moved & (1u << p_ | 1u << q_)) != 0 && !m.through;

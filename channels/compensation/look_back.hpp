@@ -1,6 +1,6 @@
-// Does the nose, a few blocks later, cross its own path? The block between two neighbours is judged
-// by its vectors (interference.hpp); a hollow of several blocks that is narrower than the nose
-// shows only here (N1404: nct_parameters_part1 15.3).
+// Detects that the nose crosses its own path a few blocks later. The block between two neighbours
+// is checked by its vectors (interference.hpp); a hollow of several blocks that is narrower than
+// the nose shows only here (N1404: nct_parameters_part1 15.3).
 //
 //      N    \            / N+3        the nose's path along N and along N+3 crosses itself at X, though what is programmed
 //            \          /             does not: what lies between cannot be cut

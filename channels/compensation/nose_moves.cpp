@@ -70,7 +70,7 @@ bool Compensator::finish(Vectors end) {
     displacement_ = here_ - b.element.end;
     held_ = false;
     idle_blocks_ = 0;
-    // moves outside the plane: there the nose stands
+    // moves outside the plane: there the nose is at standstill
     trailing_.change_moves([this](Move& m) { shift(m); });
     ready_.append(trailing_);
     pump();
@@ -95,7 +95,7 @@ void Compensator::finish_at_programmed() {
 // A block outside compensation that takes back the vector, round the corner where vectors are left
 // for it.
 void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) {
-    // at the programmed point by chance, and yet on its way round the corner
+    // at the programmed point by chance, and yet moving round the corner
     if (!displaced() && start_.count <= 1) {
         start_ = Vectors::one({});
         deliver(m, at);
@@ -117,7 +117,7 @@ void Compensator::go_corner(const Held& b, const Vectors& vectors, unsigned from
         go(b, corner + vectors.at[i] + tip, vectors.by_arc[i], corner + tip, vectors.overshoot[i]);
 }
 
-// A connecting move at a corner: with the feed of block b, other axes stand.
+// A connecting move at a corner: with the feed of block b, other axes are at standstill.
 void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about, double overshoot) {
     if (length(to - here_) < kNoseStands) return;
     Move m = b.move;

@@ -1,4 +1,4 @@
-// Where controls differ in nose-radius compensation, as values. A language sets them from its
+// Differences of controls in nose-radius compensation, as values. A language sets them from its
 // parameters and codes; the mechanism itself never asks which control it is.
 #pragma once
 #include <array>
@@ -17,7 +17,7 @@ enum class Entry : std::uint8_t {
     // direct
     Direct,
     Around,  // round the corner first: fanuc type B, fagor indirect
-    // where the tool stands behind the contour: along the tangent of the circle about the corner:
+    // where the tool is behind the contour: along the tangent of the circle about the corner:
     // sinumerik KONT
     Tangent,
     // straight moves become a polynomial that is tangential to the contour: sinumerik KONTT
@@ -56,7 +56,7 @@ inline constexpr TipTable kTipsAround = {
 // corner: an element before it ends where it meets ... The beginning is the mirror image.
 enum class ShortLast : std::uint8_t {
     None,       // judged as any other element
-    TravelOut,  // ... the way out: sinumerik G460
+    TravelOut,  // ... the retract: sinumerik G460
     Circle,     // ... the circle about the last programmed point: sinumerik G461
     Line,       // ... the last element, lengthened: sinumerik G462
 };
@@ -100,7 +100,7 @@ struct Options {
     const TipTable* tips = &kTips;
     // Corner::Extended: an arc where the elements are closer than this, tangents of arcs else
     double arc_below_deg = 0.0;
-    // begins and ends also where the tool stands, in a block without movement in the plane
+    // begins and ends also at the tool's position, in a block without movement in the plane
     bool in_place = false;
     // a change of side: at the intersection only where both paths pass it, else straight across
     bool sides_meet_on_paths = false;

@@ -7,8 +7,8 @@
 //         |     .                   p ends where its equidistant meets that of n, or the arc round the corner s/n; s is not driven.
 //       p |   .                     Where p would be driven backwards then, it is left out in its turn.
 //
-// Calls behind an element that is left out are made at that point. The way out of compensation, and
-// mirrored the way in, meet an element before the last one in the way that ShortLast says.
+// Calls behind an element that is left out are made at that point. The retract, and
+// mirrored the approach, meet an element before the last one as ShortLast says.
 #include <algorithm>
 
 #include "channels/angles.hpp"
@@ -100,8 +100,8 @@ bool Compensator::may_be_short(const Element& next) const {
     return !next.arc && length(next.end - next.start) < kShort * next.nose;
 }
 
-// Begun at an inner corner, `next` may be too short: where the held element ends the block behind
-// it tells.
+// Begun at an inner corner, `next` may be too short: the block behind it decides where the held
+// element ends.
 bool Compensator::waits(const Element& next, const CornerResult& corner) const {
     if (!options_.looks_back || corner.vectors.count != 1 || !may_be_short(next) ||
         before_.size() >= kDeepest)
@@ -124,7 +124,7 @@ void Compensator::drop_held() {
     before_.pop_back();
 }
 
-// The way in ends on the first element that meets what lengthens the first of the contour.
+// The approach ends on the first element that meets what lengthens the first of the contour.
 bool Compensator::begin_beyond_short(const Element& next, CornerResult& corner, Vec& gap) {
     const Element in = before_.front().held.element;
     const Element s = first_               ? *first_
@@ -140,7 +140,7 @@ bool Compensator::begin_beyond_short(const Element& next, CornerResult& corner, 
         point = meets_on(next, bare_line(in.start, square), true, true);
     if (!point && !may_be_short(next)) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
     while (!before_.empty()) drop_held();
-    if (!point) {  // the way in waits for an element farther on
+    if (!point) {  // the approach waits for an element farther on
         first_ = s;
         before_.push_back({block_, Vectors::one({}), {}, {}, 0});
         before_.back().trailing.append(trailing_);
@@ -152,7 +152,7 @@ bool Compensator::begin_beyond_short(const Element& next, CornerResult& corner, 
     return true;
 }
 
-// Held elements that cannot be driven forwards between what stands before and behind them are left
+// Held elements that cannot be driven forwards between their neighbours are left
 // out: the nearest element before them whose path meets the one behind them ends there.
 bool Compensator::leave_out_short(const Element& next, CornerResult& corner, Vec& gap,
                                   unsigned& left_out) {
@@ -195,7 +195,7 @@ bool Compensator::leave_out_short(const Element& next, CornerResult& corner, Vec
     return true;
 }
 
-// The last element is too short: an element before it ends where it meets the way out, the circle
+// The last element is too short: an element before it ends where it meets the retract, the circle
 // about the last programmed point or the last one's lengthened equidistant, and from there it goes
 // straight out.
 bool Compensator::leave_short_last(const Move& m, bool& left) {

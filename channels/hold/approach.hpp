@@ -1,4 +1,4 @@
-// The way of a channel's axes to a point where its program goes on: a restart at a block, or the
+// Approach of a channel's axes to a point where its program goes on: a restart at a block, or the
 // return from a block that was entered by hand in a hold. Axis after axis in the order of
 // PT_RESTART_ORDER, in rapid.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace polyturn::channels {
 
-// Places of the channel that go together, in the order in which they go; only axes whose coordinate
+// Axes of the channel that move together, in their order; only axes whose coordinate
 // changes.
 std::vector<AxisSet> approach_order(const MachineView& view, const AxisValues& from,
                                     const AxisValues& to);

@@ -1,5 +1,5 @@
-// Has somebody else changed offsets or zeros of this channel? The store tells only that something
-// is new, and most of what is new this program has written itself.
+// Detects changes of this channel's offsets or zeros from outside. The store only reports that
+// something is new, and most of that this program has written itself.
 #pragma once
 #include <memory>
 #include <unordered_map>

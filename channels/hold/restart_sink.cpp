@@ -80,7 +80,7 @@ int RestartSink::group_of(const Aux& a) const {
 
 void RestartSink::aux(const Aux& a, const BlockContext& at) {
     if (here(at)) return next_->aux(a, at);
-    if (at.own_axis >= 0) return;  // of a program that an axis ran beside the path
+    if (at.own_axis >= 0) return;  // of a positioning axis' program
     if (look_up_tool && (a.letter == 'T' || (a.letter == 'M' && a.value == 6))) look_up_tool(a, at);
     if (at.by_code && !macros_too_) return;  // N1338 DSM
     const int group = group_of(a);

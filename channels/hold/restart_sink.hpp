@@ -1,6 +1,6 @@
-// Restart at a block: the program is really interpreted from its beginning, so that its state,
-// offsets, variables and calls are what they would be; what it causes before that block is gathered
-// here instead of being done.
+// Restart at a block (block search): the program is interpreted from its beginning, so that its
+// state, offsets, variables and calls are what they would be; its actions before that block are
+// collected here instead of being executed.
 //
 //   before the block   moves, dwells, messages: nothing happens. M, S, T and spindle modes: the
 //                      last of each kind is kept.

@@ -104,7 +104,7 @@ bool ResumeSink::counts(const BlockContext& at) {
     return at.serial != skip_serial_ || part_ >= skip_part_;
 }
 
-// What G96 is told about a changed zero belongs to no block: whether it comes depends on the
+// A zero change that G96 gets belongs to no block: whether it comes depends on the
 // values, not on the text.
 void ResumeSink::spindle(const Spindle& s, const BlockContext& at) {
     if (!s.silent) return pass(at, [&](const BlockContext& c) { next_->spindle(s, c); });
@@ -129,7 +129,7 @@ void ResumeSink::move(const Move& m, const BlockContext& at) {
     next_->move(m, at_);
 }
 
-// A straight way to a point of the move, at its feed.
+// A straight line to a point of the move, at its feed.
 void ResumeSink::step_to(const AxisValues& point, const Move& of) {
     if (same(*view_, here_, point)) return;
     Move step = of;

@@ -1,9 +1,9 @@
-// In front of the record sink: numbers what each block causes, and lets a block that was held in
+// In front of the record sink: numbers the results of each block, and lets a block that was held in
 // the middle go on with other offsets (architecture 5.6).
 //
 // A block is interpreted again from its beginning, with the values that hold now. Of what it
 // causes, the parts that have been executed are left out; the part in which the path was held goes
-// on from where the axes stand:
+// on from the axes' position:
 //
 //   before   A------------P- - - - - - >B         P  held
 //   now      A'- - - - - -Q------------>B'        Q  the point of the new path nearest to P; P to Q is a move at the feed of

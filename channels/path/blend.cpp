@@ -216,7 +216,7 @@ bool add_half(const Frame& f, const std::array<Quintic, kMaxCurveAxes>& half, Bl
 }
 
 // Trim beyond which the axes' limits are no longer what bounds `speed` at the corner (shares of
-// blend.hpp's ceilings).
+// blend.hpp's limits).
 double useful_trim(const Frame& f, const Corner& c, double speed, const PathLimits& limits) {
     double trim = 0;
     const double v2 = speed * speed, v3 = v2 * speed;

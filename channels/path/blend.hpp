@@ -1,4 +1,4 @@
-// The smooth way from one move into the next: what replaces a corner, so that velocity and
+// The smooth transition from one move into the next: it replaces a corner, so that velocity and
 // acceleration stay continuous.
 //
 //     A ------------.  C            d   trim: the blend begins d before the corner and ends d behind it
@@ -71,7 +71,7 @@ enum class Junction : std::uint8_t {
 };
 
 // How `before` goes over into `after`; at most `room_before`, `room_after` of them may be used.
-// `speed`: faster than this nobody will drive there, so a longer blend would gain nothing.
+// `speed`: it is not driven faster there, so a longer blend would gain nothing.
 Junction make_blend(const PathRecord& before, double room_before, const PathRecord& after,
                     double room_after, double speed, const PathLimits& limits, Blend& blend);
 

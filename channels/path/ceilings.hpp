@@ -1,4 +1,4 @@
-// How fast, how hard and how suddenly a record may be driven so that no axis exceeds a limit.
+// Speed, acceleration and jerk limits of a record, so that no axis exceeds a limit.
 //
 // With t, k, p the first three derivatives of an axis' position over the path, its motion is
 //     velocity      t v
@@ -47,7 +47,7 @@ struct Ceilings {
     }
 };
 
-// For the record as it stands: Line, Arc (whole, or part of one) or Curve. kRapid in its flags
+// For the record as it is: Line, Arc (whole, or part of one) or Curve. kRapid in its flags
 // chooses N0304.
 Ceilings ceilings_of(const PathRecord& record, const PathLimits& limits);
 // Of a record that lies in path coordinates; `drives` are the limits of the axes behind the

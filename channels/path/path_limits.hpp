@@ -1,4 +1,4 @@
-// What the path maker must know of the machine: the limits of each axis and the channel's rules for
+// What the path maker needs of the machine: the limits of each axis and the channel's rules for
 // corners. Copied at barriers, because parameters that a channel uses change there only
 // (architecture 8).
 #pragma once
@@ -12,8 +12,8 @@ struct PathAxis {
     double rapid = 0, feed = 0;                 // mm/s (deg/s): N0304, N0305
     double accel = 0, normal = 0;               // mm/s2: N0400, N0402
     double jerk = 0;                            // mm/s3: N0400 / N0401, infinite without limit
-    double speed_step = 0;                      // mm/s: N0309; 0 no ceiling
-    double accel_step = 0, accel_step_arc = 0;  // mm/s2: N0403, N0404; 0 no ceiling
+    double speed_step = 0;                      // mm/s: N0309; 0 no limit
+    double accel_step = 0, accel_step_arc = 0;  // mm/s2: N0403, N0404; 0 no limit
     bool rotary = false;
     // N0422: share of rapid below which the next rapid move may begin
     double overlap = 0.5;
@@ -25,7 +25,7 @@ struct PathLimits {
     // rad: corners that turn by more are driven exactly (fagor G51 B); 4: none for this
     double square_turn = 4;
     bool corner_by_axis_step = false;  // N0306 FDF: N0309 decides, not N0307 and N0308
-    double corner_angle = 0;           // rad: N0307; 0 no ceiling
+    double corner_angle = 0;           // rad: N0307; 0 no limit
     double corner_feed = 0;            // mm/s: N0308
     double arc_feed_min = 0;           // mm/s: N0310
     bool rapid_overlaps = false;       // N0421 ROL: rapid moves need no stop at their ends

@@ -117,7 +117,7 @@ void PathMaker::add_move() {
         if (next.move.axis[k] < kMaxAxes) nose_[next.move.axis[k]] = next.move.nose[k];
 }
 
-// An axis that the move does not have stands where the one before has left it.
+// An axis that the move does not have is where the one before has left it.
 double PathMaker::nose_of(const PathRecord& move, std::uint8_t axis) const {
     for (std::size_t k = 0; k < move.axis_count; ++k)
         if (move.axis[k] == axis) return move.nose[k];
@@ -287,7 +287,7 @@ double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
 
 // A thread stops nowhere, so between two that are joined there is a blend at any tolerance, also 0.
 // Where the tolerance leaves the corner too slow for the spindle, the blend becomes as long as its
-// speed needs: with room to spare, for what the bend takes of the axes there is missing where the
+// speed needs: with a margin, for what the bend takes of the axes there is missing where the
 // thread begins and ends (ceilings.hpp). `most`: how fast it is driven at most.
 Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, double& most) {
     constexpr double kSpare = 1.6, kOvershoot = 1.2;  // a spindle swings about its speed

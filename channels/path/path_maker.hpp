@@ -1,5 +1,5 @@
 // From programmed moves to final path records: corners become blends or stops, every record gets
-// its ceilings.
+// its limits.
 //
 //   programmed   |----------A----------|----------B----------|
 //   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs to A, the second to B
@@ -45,7 +45,7 @@ public:
     void smooth(const Smoothing& smoothing) { smoothing_ = smoothing; }
 
     // The next move: fill the cleared record (kind Line or Arc, slots, start, end, shape of an arc,
-    // feed, flags except the block's begin and end, block, note), then add it. length and ceilings
+    // feed, flags except the block's begin and end, block, note), then add it. length and limits
     // are computed here. kExactStop: stop at its end.
     PathRecord& next_move();
     double length_of_next();
@@ -54,7 +54,7 @@ public:
     // Revolutions a second of the spindle that the threads behind this follow; 0: not known.
     void thread_turns(double rev_s) { thread_rev_s_ = rev_s; }
 
-    // Something that is no motion. `stops`: the path comes to rest before it.
+    // A record without motion. `stops`: the path comes to rest before it.
     void add_event(const PathRecord& record, bool stops);
 
     void flush();    // everything goes out; the path ends here

@@ -38,7 +38,7 @@ PoleParameter PoleParameter::of(const PathRecord& line, const Kinematics& k,
     const NearestToPole nearest = nearest_to_pole(a, e);
     out.b_ = nearest.distance;
     out.foot_ = nearest.share * line.length;
-    // of the way that lies in the plane: the rest would change C'
+    // of the distance in the plane: the rest would change C'
     const double share = std::hypot(e.u - a.u, e.v - a.v) / line.length;
     if (nearest.share <= 0 || nearest.share >= 1 || !(out.b_ > 0) || share < 1 - 1e-9) return out;
     constexpr double kRadian = std::numbers::pi / 180.0;
@@ -102,7 +102,7 @@ void PoleParameter::apply(double from, double to, PathRecord& piece) const {
         piece.shape[curve_shape::kParameter + n] = u[n] * power;
     piece.kind = static_cast<std::uint8_t>(RecordKind::Curve);
     piece.length = length;
-    // What was said of the way holds for s with the largest dx/ds.
+    // What holds for the distance holds for s with the largest dx/ds.
     steepest = std::max(steepest, 1 / least) * (1 + 1e-6);
     piece.feed /= steepest;
     piece.v_max /= steepest;

@@ -1,19 +1,19 @@
-// A line that passes near the pole of a polar plane, counted along its way and along the turn of
-// the rotary axis at once.
+// A line that passes near the pole of a polar plane: its parameter counts both travel and the turn
+// of the rotary axis.
 //
-// With x the way from the foot of the perpendicular (length b) from the pole, the rotary axis
-// stands at C = atan(x / b). Counted along x alone, C' and its derivatives grow beyond all bounds
-// at the foot, and ceilings that bound each term by itself let the path creep there, for on the way
-// in and out v and C'' would work against each other. So the record's s is
+// With x the distance from the foot of the perpendicular (length b) from the pole, the rotary axis
+// is at C = atan(x / b). Counted along x alone, C' and its derivatives grow beyond all bounds
+// at the foot, and limits that bound each term by itself let the path creep there, for before
+// and behind it v and C'' would work against each other. So the record's s is
 //
 //     s = x + lambda * (integral of w dC)        ds/dx = q = 1 + lambda w C' >= 1
 //
 //      C |        .-------       near the foot s counts the turn: C is driven evenly, by its own limits.
-//        |       |               Far away s counts the way, as that of any other record. In the plane of x and lambda C the
+//        |       |               Far away s counts travel, as that of any other record. In the plane of x and lambda C the
 //        |       |               path has two corners, as wide as sqrt(lambda b); the speed falls to what they allow.
 //        |_______'
 //         ------------- x        w: 1 in the middle, and 0 with its first two derivatives where the window ends, so that the
-//                                records beside it meet without a step of speed or acceleration.
+//                                neighbouring records meet without a step of speed or acceleration.
 //
 // lambda   linear axis' limits over the rotary one's (mm/rad): then both directions of that plane
 //          are alike.

@@ -291,7 +291,7 @@ void SplineRun::make_span(std::size_t i, bool last_span) {
 void SplineRun::add_piece(const Cubic& cubic, double from, double to, Piece piece, int depth) {
     for (std::size_t k = 0; k < axes_; ++k)
         piece.curve.position[k] = part_of(cubic[k], from, to - from);
-    // The last cut is taken as it is: the axes' ceilings come from the true derivatives, only the
+    // The last cut is taken as it is: the axes' limits come from the true derivatives, only the
     // feed is off a little.
     if (fit_parameter(axes_, measured_, piece.curve) || depth == kDeepestCut) {
         ready_.push_back(piece);

@@ -1,5 +1,5 @@
-// Many short lines along a smooth curve, as CAM systems write them, become one smooth curve that
-// stays within tolerance.
+// Turns many short lines along a smooth curve, as CAM systems write them, into one smooth curve
+// within tolerance.
 //
 //   programmed  ----A----o-o--o-o-o--o-----B-----        o vertices of short lines
 //   curve            M===c====c======c==M'               c control points of a cubic B-spline, M and M' on A and B

@@ -50,7 +50,7 @@ void TransformedOut::begin(const Kinematics& kinematics, double turn, SideOfPole
     side_ = side;
 }
 
-// What the path maker judges corners by. The ceilings that count in the end are those of the
+// What the path maker judges corners by. The limits that count in the end are those of the
 // drives.
 const PathLimits& TransformedOut::limits() {
     path_ = *drives_;
@@ -162,7 +162,7 @@ void TransformedOut::put(PathRecord& piece, bool first, bool last) {
     if (ceilings_behind(piece, kinematics_, *drives_, behind))
         lower(behind, piece);
     else
-        // cannot be: TransformSink has refused it; the kernel then stands rather than jumps
+        // cannot be: TransformSink has refused it; the kernel then stops rather than jumps
         piece.v_max = 0;
     next_->claim() = piece;
     next_->commit();

@@ -1,5 +1,5 @@
-// Behind the path maker while a transformation is on: records in path coordinates get what the
-// kernel needs to find the axes, and ceilings that the axes behind the transformation keep.
+// Behind the path maker while a transformation is on: adds to records in path coordinates what the
+// kernel needs to compute the axes, and limits for the axes behind the transformation.
 //
 // Near the pole of a polar plane the axes' derivatives grow without bound (a line that passes it at
 // the distance b: C' = 1/b, C'' ~ 1/b^2, C''' ~ 2/b^3), so a record is cut into pieces that are
@@ -8,9 +8,9 @@
 //      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40 pieces from 100 mm down to
 //       o  -'                                          1 um and as many away again
 //
-// Within a piece the derivatives change by some tens of per cent, so its ceilings, from samples,
+// Within a piece the derivatives change by some tens of per cent, so its limits, from samples,
 // cost little; and each piece has its own: speed falls towards the pole as the axes demand it, and
-// nothing stands (docs/design/transformations.md). A line through the pole itself needs the linear
+// nothing stops (docs/design/transformations.md). A line through the pole itself needs the linear
 // axis only (SideOfPole::Through) and stays one record.
 //
 // Right   The ceilings hold for every axis as those of ceilings.hpp do, with the derivatives of the
@@ -27,8 +27,8 @@ class TransformedOut : public RecordOut {
 public:
     TransformedOut(RecordOut& next, const PathLimits& drives) : next_(&next), drives_(&drives) {}
 
-    // From now on: the transformation by drives (axis: machine axes, route), where its rotary axis
-    // stands before the route, and on which side the linear one. limits() are for the path maker
+    // From now on: the transformation by drives (axis: machine axes, route), the position of its
+    // rotary axis before the route, and the side of the linear one. limits() are for the path maker
     // then.
     void begin(const Kinematics& kinematics, double turn, SideOfPole side);
     const PathLimits& limits();

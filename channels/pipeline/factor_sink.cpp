@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSagitta = 0.001;  // mm between a chord and its arc
 
-// Way of a move as the feed sees it: all axes, degrees as millimetres.
+// Travel of a move as the feed counts it: all axes, degrees as millimetres.
 double way_of(const Move& m, const AxisValues& start, const AxisValues& end, double radius,
               unsigned count) {
     double square = 0.0;
@@ -39,7 +39,8 @@ void FactorSink::move(const Move& m, const BlockContext& at) {
     deliver(m, way_of(m, m.machine_start, m.machine, m.radius, view_->axis_count), at);
 }
 
-// Ends, feed and lead of out_, whose other members stand; `way`: of the motion before the factors.
+// Ends, feed and lead of out_, whose other members are set; `way`: of the motion before the
+// factors.
 void FactorSink::deliver(const Move& m, double way, const BlockContext& at) {
     const unsigned count = view_->axis_count;
     unsigned along = 0;

@@ -4,7 +4,7 @@
 //   Core, corners, compensation:  what is programmed      |  this sink:  pos * factor, feed along
 //                                                         with it  -> machine
 //
-// The multiples count from the part's zero: pos of a move tells them, and the rest of its machine
+// The multiples count from the part's zero: pos of a move has them, and the rest of its machine
 // coordinate (zero, tool) is not multiplied. A circle whose plane has two factors is no circle any
 // more: it is driven in chords.
 //

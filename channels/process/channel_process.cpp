@@ -413,7 +413,7 @@ void ChannelProcess::interrupt(const ChannelEvent& event) {
     state_ = State::Reading;
 }
 
-// The path is still on its way to where the interrupt program begins: what of it acts at once is
+// The path has not yet reached the start of the interrupt program: its immediate actions are
 // done now.
 void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
     if (run_ && !held_run_ && !next_part_ && !restart_sink_->searching()) {
@@ -421,7 +421,7 @@ void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
         sink_->at_once(true);
         ahead_ = run_->interrupt_ahead(static_cast<std::uint64_t>(event.value));
         sink_->at_once(false);
-        // no barrier is on its way: the path stops before the next block
+        // no barrier is pending: the path stops before the next block
         if (ahead_) state_ = State::Standing;
     }
     // P1: what was pushed ahead is visible with it
@@ -473,7 +473,7 @@ void ChannelProcess::show_block() {
     pictures_.look(*core, codes_);
 }
 
-// In real time only: nobody looks at a virtual run, and what a clock decides must not be in it.
+// In real time only: a virtual run is not watched, and what a clock decides must not be in it.
 void ChannelProcess::show_variables(bool now) {
     if (supervisor_->options.virtual_time != 0) return;
     const auto time = std::chrono::steady_clock::now();

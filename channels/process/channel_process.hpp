@@ -1,4 +1,4 @@
-// The channel process in run mode: acts on what the kernel tells, interprets, pushes records.
+// The channel process in run mode: acts on the kernel's events, interprets, pushes records.
 //
 //            CycleStart               AtBarrier                  BarrierReached
 //   Idle ----------------> Reading ------------> Standing ------------------------> Reading ...
@@ -39,7 +39,7 @@ namespace polyturn::channels {
 struct ProgramChoice {
     std::string path;         // selected file
     std::string mdi;          // a text instead of a file
-    std::string beside = {};  // of mdi: the selected file; what stands beside it can be called
+    std::string beside = {};  // of mdi: the selected file; files in its folder can be called
     // of the file, as a job says it; Polyturn: the machine says it
     Dialect language = Dialect::Polyturn;
 };
@@ -96,8 +96,8 @@ public:
                                                           ProcessServices services);
     // Until Quit.
     void run();
-    // One event, or a piece of interpretation; false after Quit. For tests that play the kernel in
-    // the same thread.
+    // One event, or a piece of interpretation; false after Quit. For tests that act as the kernel
+    // in the same thread.
     bool turn(bool sleep);
 
 private:
@@ -175,9 +175,9 @@ private:
     std::uint64_t seen_event_ = 0;
     std::uint64_t last_note_ = 0;
     double parts_left_ = 1;
-    // in an interrupt program, while the path is still on its way there
+    // in an interrupt program, while the path has not reached it
     bool ahead_ = false;
-    bool next_part_ = false;  // standing between two parts
+    bool next_part_ = false;  // stopped between two parts
     bool store_changed_ = false;
     std::unique_ptr<ChannelStore> first_store_;
     std::any carried_;  // of the program before

@@ -6,7 +6,7 @@ namespace polyturn::channels {
 namespace {
 
 void lower(double& value, double limit) { value = std::min(value, limit); }
-// A ceiling that is switched off (0) is no limit.
+// A limit that is switched off (0) does not count.
 void lower_ceiling(double& value, double limit) {
     if (limit > 0) value = value > 0 ? std::min(value, limit) : limit;
 }

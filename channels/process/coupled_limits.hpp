@@ -1,7 +1,7 @@
-// What an axis may do while others are coupled to it (nct part 2 22.2, 22.5): a master goes no
+// Limits of an axis while others are coupled to it (nct part 2 22.2, 22.5): a master goes no
 // faster than its synchronous slaves can; an axis and what is superimposed on it share the slave's
-// limits, half each, whoever of them moves. Taken at barriers, like all limits; the M codes that
-// switch couplings stand between waits of both channels (22.1).
+// limits, half each, whichever of them moves. Taken at barriers, like all limits; the M codes that
+// switch couplings are between waits of both channels (22.1).
 #pragma once
 #include <array>
 #include <compare>

@@ -1,5 +1,5 @@
-// What the kernel has told this channel and the process has not acted on yet. Taken out of the ring
-// as soon as it is looked at, so that a reset is found behind other events.
+// Events of the kernel for this channel that the process has not acted on yet. Taken out of the
+// ring as soon as it is looked at, so that a reset is found behind other events.
 #pragma once
 #include <deque>
 #include <functional>

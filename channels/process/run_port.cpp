@@ -191,8 +191,8 @@ std::optional<Port::ToolAtWork> RunPort::tool_at_work() {
     return ToolAtWork{own().tool, own().tool_offset, own().tool_radius_offset};
 }
 
-// What the kernel has told the store up to this barrier is in the table: two virtual runs read the
-// same.
+// What the kernel has reported to the store up to this barrier is in the table: two virtual runs
+// read the same.
 void RunPort::await_store() const {
     constexpr int kMostMs = 200;  // a store that has died is no reason to stand
     // P1: the image was published before the tail was moved

@@ -24,7 +24,7 @@ public:
     }
     void look();  // takes the picture: at cycle start and when a barrier has been reached
     // While a program is only interpreted (restart at a block) its axes are where it has sent them,
-    // not where they stand.
+    // not at their actual positions.
     void pretend(std::function<double(unsigned machine_axis)> position) {
         pretended_ = std::move(position);
     }
@@ -83,7 +83,7 @@ public:
     }
     std::string kept(std::string_view name) override { return kept_.get(name); }
     DialogueAnswers dialogue_answers() override { return std::exchange(answers_, {}); }
-    // filled by the events that come while the program stands
+    // filled by the events that come while the program is stopped
     DialogueAnswers& answers() { return answers_; }
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
@@ -94,7 +94,7 @@ private:
     const KernelSegment* kernel_;
     unsigned channel_;
     const StoreSegment* store_ = nullptr;
-    std::unique_ptr<ToolTable> tools_;  // read when somebody asks
+    std::unique_ptr<ToolTable> tools_;  // read on demand
     std::unique_ptr<ToolEdgeTable> edges_;
     bool tools_read_ = false, edges_read_ = false;
     const MachineConfig* machine_ = nullptr;

@@ -1,5 +1,5 @@
 // The page that the channel's program asks, in the channel's segment (ChannelSegment::dialogue):
-// one writer, this process. Screens show it while the channel stands with StopReason::Dialogue;
+// one writer, this process. Screens show it while the channel is stopped with StopReason::Dialogue;
 // what the operator enters meanwhile is shown to all of them.
 #pragma once
 #include "channels/dialogue.hpp"

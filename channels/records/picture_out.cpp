@@ -94,11 +94,11 @@ void PictureOut::reset(std::uint64_t newest, std::uint64_t not_begun, bool offse
     if (!ahead && !offset_lost) return;
     BlockPicture now{};
     if (find_picture(*own_, ahead ? not_begun - 1 : newest, now)) return tell(now, offset_lost);
-    // nothing of the program has acted, and nobody knows any more what was before it
+    // nothing of the program has acted, and the state before it is not known any more
     if (ahead) begin();
 }
 
-// As the newest of those that may be meant; what the next program begins with is told anew.
+// As the newest of those that may be meant; the initial state of the next program is output anew.
 void PictureOut::tell(BlockPicture now, bool offset_lost) {
     if (offset_lost) {
         for (std::size_t i = 0; i < kChannelAxes; ++i) now.shift[i] -= now.tool_shift[i];

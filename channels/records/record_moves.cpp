@@ -72,7 +72,7 @@ void RecordSink::slow_ends(const Move& move, const BlockContext& at) {
         for (unsigned i = 0; i < view_->axis_count; ++i)
             length = std::hypot(length, move.machine[i] - move.machine_start[i]);
     if (!(length > 0) || move.feed_mode == FeedMode::InverseTime) return add(move, at, true);
-    // Shares of the way where the feed changes; where both slow ends meet, all of it is slow.
+    // Shares of the travel where the feed changes; where both slow ends meet, all of it is slow.
     double from = std::fmin(move.slow_head / length, 1.0),
            to = 1.0 - std::fmin(move.slow_tail / length, 1.0);
     if (from >= to) from = to = 1.0;
@@ -80,7 +80,7 @@ void RecordSink::slow_ends(const Move& move, const BlockContext& at) {
     const double first = arc ? std::atan2(move.machine_start[move.plane_q] - move.centre_q,
                                           move.machine_start[move.plane_p] - move.centre_p)
                              : 0.0;
-    const std::uint64_t number = note_move(move, at);  // told whole
+    const std::uint64_t number = note_move(move, at);  // output whole
     Move piece = move;
     piece.slow_head = piece.slow_tail = 0.0;
     piece.exact_stop = piece.in_position = false;
@@ -119,13 +119,13 @@ void RecordSink::slow_ends(const Move& move, const BlockContext& at) {
     }
 }
 
-// The lead counts along one axis of the plane, so along an arc the way a revolution changes: short
-// arcs, each with its mean.
+// The lead counts along one axis of the plane, so along an arc the travel per revolution changes:
+// short arcs, each with its mean.
 void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
     constexpr double kPiece = 0.02;  // rad
     const unsigned p = move.plane_p, q = move.plane_q;
     const auto pieces = static_cast<int>(std::ceil(std::fabs(move.sweep) / kPiece));
-    // way of the lead's axis
+    // travel of the lead's axis
     const double along = move.lead * std::fabs(move.sweep) * move.radius / move.lead_path;
     const double way_p = std::fabs(move.machine[p] - move.machine_start[p]),
                  way_q = std::fabs(move.machine[q] - move.machine_start[q]);
@@ -156,15 +156,15 @@ void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
             k + 1 == pieces ? move.machine[q] : move.centre_q + move.radius * std::sin(angle);
         const double step = std::fabs(piece.machine[axis] - piece.machine_start[axis]);
         if (step > 0) piece.lead_path = move.lead * std::fabs(piece.sweep) * move.radius / step;
-        if (k == 0) number = note_move(move, at);  // told whole
+        if (k == 0) number = note_move(move, at);  // output whole
         add(piece, at, false, number,
             (k > 0 ? std::uint32_t{kMoreBefore} : 0u) |
                 (k + 1 < pieces ? std::uint32_t{kMoreBehind} : 0u));
     }
 }
 
-// The transformation as the drives see it. It changes where the path stands: the channel is at a
-// barrier, or the rotary axis turns in the pole between two moves that end with a stop.
+// The transformation as the drives see it. It changes where the path is stopped: the channel is at
+// a barrier, or the rotary axis turns in the pole between two moves that end with a stop.
 void RecordSink::use_transformation(const Move& move) {
     if (!transformed_) return;
     if (!move.kinematics) {
@@ -180,7 +180,7 @@ void RecordSink::use_transformation(const Move& move) {
     const Kinematics places = k;
     k.axis.fill(0xff);
     for (std::size_t r = 0; r < roles; ++r) {
-        if (places.axis[r] >= view_->axis_count) {  // no axis: it stands at its centre
+        if (places.axis[r] >= view_->axis_count) {  // no axis: it is at its centre
             k.sign[r] = 1.0;
             k.shift[r] = 0.0;
             continue;
@@ -286,7 +286,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
         }
     }
     // A floating tap follows the speed that the spindle really has, at its pitch, whether the feed
-    // was told a minute or a revolution.
+    // was programmed per minute or per revolution.
     if (move.tap_floats && move.feed_mode == FeedMode::PerMinute && move.tap_rpm > 0 &&
         move.spindle != 0) {
         r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
@@ -331,7 +331,7 @@ void RecordSink::fill_retract(const Move& move, PathRecord& r) const {
 }
 
 // Radii and angles from the points themselves, so that the record meets them exactly whatever was
-// rounded on the way.
+// rounded on the between.
 void RecordSink::fill_arc(const Move& move, PathRecord& r) const {
     const std::size_t p = r.plane[0], q = r.plane[1];
     const double p0 = r.start[p] - move.centre_p, q0 = r.start[q] - move.centre_q;

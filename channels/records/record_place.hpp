@@ -1,5 +1,5 @@
-// What every record carries: its kind, and where in a program it comes from (file, line, block, and
-// the place that a resume goes back to: serial, part).
+// Source position of a record: its kind, and where in a program it comes from (file, line, block,
+// and the point that a resume goes back to: serial, part).
 #pragma once
 #include "channels/records/record_sink.hpp"
 

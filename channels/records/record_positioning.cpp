@@ -1,6 +1,6 @@
-// Records of what goes on beside the path of a program: positioning axes and spindles, waiting for
-// them, torque limits, reference points. Who is under way is kept here, so that no move of the path
-// takes an axis that has not arrived, whatever the language.
+// Records of asynchronous motion: positioning axes and spindles, waiting for them, torque limits,
+// reference points. The moving axes are registered here, so that no move of the path takes an axis
+// that has not arrived, whatever the language.
 #include <algorithm>
 #include <charconv>
 

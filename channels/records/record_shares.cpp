@@ -1,7 +1,8 @@
 // Shares of an axis' own limits: VELO<place>, ACC<place>, JERK<place> for the path, OVRA<place> for
-// the feed beside it, OVRS<number> for the speed of a spindle; 1 is all of it. PATHTOL is the
-// tolerance of corners in mm, SQUARE the turn in degrees from which on a corner is driven exactly;
-// a negative value: as the machine has it. They hold from the next move on, until the program ends.
+// the feed of a positioning axis, OVRS<number> for the speed of a spindle; 1 is all of it. PATHTOL
+// is the tolerance of corners in mm, SQUARE the turn in degrees from which on a corner is driven
+// exactly; a negative value: as the machine has it. They hold from the next move on, until the
+// program ends.
 #include <algorithm>
 #include <charconv>
 #include <numbers>

@@ -52,7 +52,7 @@ std::uint64_t RecordSink::note_move(const Move& move, const BlockContext& at) {
 PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint64_t note) const {
     PathRecord r;
     r.kind = code_of(kind);
-    // kMoreBehind of what is no move: single block does not stand here.
+    // kMoreBehind of what is no move: single block does not stop here.
     r.flags = kBlockBegin | kBlockEnd | (at.statement ? std::uint32_t{kMoreBehind} : 0u);
     r.note = note;
     place(at, r);
@@ -187,14 +187,14 @@ void RecordSink::wait(const Wait& wait, const BlockContext& at) {
     r.mask = wait.channels;
     copy_text(wait.marker, r.text);
     if (wait.flying) r.flags |= kFlying;
-    // In passing nobody reads the world there, and the path goes on behind it: the kernel brakes in
-    // front of it where somebody is missing.
+    // A flying wait reads nothing of the machine, and the path goes on behind it: the kernel brakes
+    // in front of it when a partner is missing.
     push(r, !wait.flying || wait.code == kBalanceMeeting, !wait.flying);
 }
 
 void RecordSink::variable(const Variable& variable, const BlockContext& at) {
     const std::uint64_t number = note([&](Sink& sink) { sink.variable(variable, at); });
-    // nobody outside this process would notice
+    // not visible outside this process
     if (variable.persistent < 0 && number == 0) return;
     PathRecord r = event(RecordKind::Variable, at, number);
     r.code = variable.persistent;
@@ -237,7 +237,7 @@ void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at
 }
 
 void RecordSink::signal(std::string_view name, double value, const BlockContext& at) {
-    if (name == "SMOOTHING") {  // how the path is made, nobody else's business
+    if (name == "SMOOTHING") {  // internal to making the path
         maker_->flush();
         maker_->smooth(
             smoothing_of(view_->table(), view_->machine, view_->channel, static_cast<int>(value)));
@@ -283,8 +283,8 @@ bool RecordSink::other_program(std::string_view name, double value, const BlockC
     return true;
 }
 
-// A column or tool parameter that does not exist is the language's mistake, told before it comes
-// here.
+// A column or tool parameter that does not exist is the language's mistake, reported before it
+// comes here.
 void RecordSink::tool_write(const ToolWrite& write, const BlockContext& at) {
     PathRecord r = event(RecordKind::ToolData, at, 0);
     r.mask = static_cast<std::uint32_t>(write.tool);
@@ -327,7 +327,7 @@ void RecordSink::parameter(std::string_view line, const BlockContext& at) {
     push(r, true, false);
 }
 
-// Only an event: a variable that nobody keeps.
+// Only an event: a variable that is not saved.
 void RecordSink::print(std::string_view text, const BlockContext& at) {
     const std::uint64_t number = note([&](Sink& sink) { sink.print(text, at); });
     if (number == 0) return;
@@ -347,7 +347,7 @@ void RecordSink::stop(const Stop& stop, const BlockContext& at) {
                              sink.stop({stop.reason, stop.page}, at);
                          }));
     r.code = static_cast<std::int32_t>(stop.reason);
-    // the key may come while the machine drives what stands before it
+    // the key may come while the machine drives what comes before it
     if (!stop.asked) return push(r, true, false);
     const bool goes_on = asks || stop.reason == StopReason::M00 || stop.reason == StopReason::M01;
     // the interpreter reads on behind it
@@ -364,7 +364,7 @@ void RecordSink::part(double count, const BlockContext& at) {
     push(r, false, false);
 }
 
-// In path order: the machine drives what stands before it, then reports it and stands.
+// In path order: the machine drives what comes before it, then reports it and stops.
 void RecordSink::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
     const std::uint64_t number = note([&](Sink& sink) { sink.alarm(diagnosis, at); });
     const bool error = diagnosis.severity() == Severity::Error;

@@ -1,5 +1,5 @@
-// The sink of a running channel: elementary results become records of the ring, in path order, and
-// notes that describe them.
+// The sink of a running channel: turns elementary results into records of the ring, in path order,
+// and notes that describe them.
 //
 // Invariants
 //   I1  A note is in its ring before the record that names it.
@@ -28,8 +28,8 @@ namespace polyturn::channels {
 
 class RecordSink : public Sink {
 public:
-    // describe: a sink that appends its event objects to `text`, one a line; nullptr when nobody
-    // wants notes. put_note: number and text into the note ring, waiting for room.
+    // describe: a sink that appends its event objects to `text`, one a line; nullptr when no
+    // notes are wanted. put_note: number and text into the note ring, waiting for room.
     using PutNote = std::function<void(std::uint64_t, std::string_view)>;
     RecordSink(const MachineView& view, PathMaker& maker, RingOut& ring, Sink* describe,
                std::string* text, PutNote put_note)
@@ -90,7 +90,7 @@ public:
         skip_.number = 0;
         limits_changed();
     }
-    // Behind the barrier of a skip move: its note is told once more, with the point at which it
+    // Behind the barrier of a skip move: its note is output once more, with the point at which it
     // ended.
     void skip_ended(Port& port);
     void finish(StopReason reason);
@@ -102,7 +102,7 @@ public:
         show_dialogue_ = std::move(show);
     }
     void more_parts(bool more) { more_parts_ = more; }
-    // Between: what comes acts as soon as the machine sees it, though the path is not there yet
+    // Between: records act as soon as the machine sees them, though the path is not there yet
     // (kAtOnce); without room in the ring it is kept for push_kept(), behind the next forget().
     void at_once(bool on);
     void push_kept();
@@ -119,7 +119,7 @@ private:
     template <class Call>
     std::uint64_t note(Call&& call);
     std::uint64_t note_move(const Move&, const BlockContext&);
-    // record_beside.cpp: what goes on beside the path, and waiting for it
+    // record_positioning.cpp: asynchronous motion, and waiting for it
     struct Outstanding {
         std::array<bool, kMaxAxes> axis{};
         std::array<bool, kMaxSpindles> spindle{};
@@ -137,7 +137,7 @@ private:
     bool other_program(std::string_view name, double value, const BlockContext&);
     LifeGroup group_{};  // that was opened last
     int group_order_ = 0;
-    Outstanding under_way_;   // told beside the path and not waited for yet
+    Outstanding under_way_;   // output asynchronously and not waited for yet
     AxisSet last_moved_ = 0;  // by the last move of the path
     std::array<double, kChannelAxes> window_mm_{};
     // Shares of their own limits that the program allows its axes; what a positioning axis and a
@@ -188,7 +188,7 @@ private:
     bool failed_ = false;   // an error was delivered
     bool more_parts_ = false;
     std::uint32_t own_steps_ = 0;  // of the program of an axis, since it was last asked for room
-    AxisValues own_from_{};        // where the axis stood in front of its first move
+    AxisValues own_from_{};        // the axis' position before its first move
     bool own_moved_ = false;
     enum class Ahead : std::uint8_t { No, AtOnce, Kept } ahead_ = Ahead::No;
     std::vector<PathRecord> kept_;

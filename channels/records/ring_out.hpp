@@ -1,6 +1,6 @@
-// Finished records into the channel's ring. Waits for room on the kernel's doorbell, never longer
-// than the process may be silent; gives up when a reset or the end comes in between: from then on
-// records go nowhere until resume().
+// Writes finished records into the channel's ring. Waits for room on the kernel's doorbell, never
+// longer than the process may be silent; gives up when a reset or the end comes in between: from
+// then on records are dropped until resume().
 //
 // The kernel's bell is rung when the ring comes to hold the horizon (the kernel may wait for that
 // in virtual time), before sleeping and by whoever says quiet; never per record. A crossing that is
@@ -27,7 +27,7 @@ public:
     std::uint64_t last_index() const { return producer_.head() - 1; }  // of the newest record
     bool has_room() const;  // for a few hundred records, without waiting
     std::uint64_t pushed() const { return producer_.head(); }
-    // Before a wait for somebody else: rings, shows life; false when an interrupt has come, then
+    // Before a wait for another process: rings, shows life; false when an interrupt has come, then
     // nothing goes out any more.
     bool may_wait();
 

@@ -79,7 +79,7 @@ void Core::refresh_routes() {
         out = factors_.get();
     }
     if (out == out_) return;
-    // compensation keeps what it has opened; switching codes stand outside of it
+    // compensation keeps what it has opened; switching codes lie outside of it
     if (sink_ == out_) sink_ = out;
     out_ = out;
 }
@@ -110,7 +110,7 @@ void Core::refresh_limits() {
     take_due();
 }
 
-// I1 from the machine's side: the axis stands still, its programmed number follows.
+// I1 from the machine's side: the axis is at standstill, its programmed number follows.
 void Core::rebase(unsigned i) {
     if (path.framed) return rebase_all();
     const ChannelAxis& axis = view_->axes[i];

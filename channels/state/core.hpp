@@ -1,6 +1,6 @@
-// What a channel's program has brought about so far, and how the next word changes it: positions,
-// zeros, offsets, feed, spindle. Every language translates into calls of this class; nothing in
-// here knows a G code (architecture 5.12).
+// The state of a channel's program and its changes word by word: positions, zeros, offsets, feed,
+// spindle. Every language translates into calls of this class; nothing in here knows a G code
+// (architecture 5.12).
 //
 //   machine = frame(programmed) + zero + shift + vector (+ whole turns of a roll-over axis)
 //
@@ -20,8 +20,8 @@
 //   I1  The equation above holds for every axis of the channel between two calls. A frame, a zero
 //   or a shift that changes
 //       moves nothing: machine stays, programmed becomes the number that belongs to it.
-//   I2  A call that returns false has changed nothing and told why in fault().
-//   I3  No call allocates, except to tell a fault.
+//   I2  A call that returns false has changed nothing and put the reason into fault().
+//   I3  No call allocates, except to report a fault.
 #pragma once
 #include <memory>
 #include <optional>
@@ -65,7 +65,7 @@ struct ToolState {
     ToolRef ref;
     std::int32_t geometry = 0, wear = 0;  // offset numbers in use; 0 none
     double nose_radius = 0.0;
-    // mm that the nose stays off the contour beside its radius (OFFN); not part of the tip
+    // mm that the nose stays off the contour in addition to its radius (OFFN); not part of the tip
     double allowance = 0.0;
     std::int32_t tip = 0;
     bool nose_off = false;  // offset number 0: compensation waits for another one
@@ -162,8 +162,8 @@ struct ArcCall {
     double tolerance = 0.02;
 };
 
-// What lies between the programmed point and the machine beside the tool: to put it away for a
-// block (G53) and back.
+// The difference of programmed point and machine, except for the tool: to suspend it for a block
+// (G53) and restore it.
 struct Zeros {
     AxisValues external{}, work{}, preset{}, local{};
     Frame frame;
@@ -176,11 +176,11 @@ struct ThreadCall {
     std::int32_t starts = 0;
     bool by_axis = false;  // lead counts along `axis`, not along the longest
     std::uint8_t axis = 0;
-    // Way out when the thread is held, as Move has it. Not told: PT_THREAD_RETRACT against the last
-    // infeed.
+    // Retract when the thread is held, as Move has it. Not given: PT_THREAD_RETRACT against the
+    // last infeed.
     std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
     std::array<double, 3> withdraw{};
-    // what is told here counts, PT_THREAD_RETRACT does not: nothing told, no way out
+    // what is given here counts, PT_THREAD_RETRACT does not: nothing given, no retract
     bool own_withdrawal = false;
     const ArcCall* arc = nullptr;  // on an arc, by its centre
 };
@@ -192,8 +192,8 @@ public:
 
     PathState path;
     BlockContext at;  // filled by the language for each block
-    // What absolute positions on screens contain beside what is programmed. A tool offset that
-    // shifts coordinates is no part of them.
+    // What absolute positions on screens contain in addition to what is programmed. A tool offset
+    // that shifts coordinates is no part of them.
     struct Shows {
         bool tool_vector = false;  // the tool offset that is travelled
         bool nose = true;          // what nose-radius compensation adds
@@ -205,8 +205,8 @@ public:
     const Fault& fault() const { return fault_; }
     bool fail(Alarm alarm, char letter = 0, std::string detail = {}, double v0 = 0.0,
               double v1 = 0.0);
-    // An alarm of the program's own (#3000, ERROR, SETAL): a fault, unless nobody but the machine
-    // knows whether it would come; then that is told, and the program goes on behind it.
+    // An alarm of the program's own (#3000, ERROR, SETAL): a fault, unless only the machine can
+    // decide whether it would come; then that is reported, and the program goes on behind it.
     bool program_alarm(const std::string& text, double number);
     void set_fault(Fault fault) { fault_ = std::move(fault); }
     bool emitted() const { return emitted_; }  // something was delivered since begin_block()
@@ -281,7 +281,7 @@ public:
     void set_zeros(const Zeros& zeros);
     AxisValues framed(const AxisValues& programmed) const;  // frame(programmed)
     AxisValues unframed(const AxisValues& point) const;     // programmed
-    // where the tool stands, in the system around the frame
+    // the tool's position, in the system around the frame
     AxisValues framed_now() const;
     // Compensation that begins from now on, and corner elements, lie in the plane of a frame that
     // inclines it; else in the machine's.
@@ -294,7 +294,7 @@ public:
     // what reads ahead works in such a plane
     bool inclined() const { return inclined_; }
     // The plane's directions outside the frame turn the other way: it mirrors, and the sides of the
-    // path change places.
+    // path are exchanged.
     bool frame_mirrors_plane() const;
 
     // --- moves; target in the workpiece system (X as a radius). A block that moves nothing makes
@@ -317,7 +317,7 @@ public:
     // The next linear or rapid move of one of these axes is such a one.
     void meet_stop(AxisSet which) { stops_ = which; }
     AxisSet meets_stop() const { return stops_; }
-    AxisSet stops_met() const { return stops_met_; }  // stand at a stop and press
+    AxisSet stops_met() const { return stops_met_; }  // are at a fixed stop and press
     // A skip move whose end is taken at the next barrier without a further call. passes: it goes on
     // to its end all the same.
     bool measure(const AxisValues& target, std::string_view input, bool release,
@@ -326,22 +326,22 @@ public:
         skip_due_ = true;
         return fixed_stop(target, feed, FeedMode::PerMinute, true);
     }
-    // --- beside the path (core_beside.cpp)
+    // --- asynchronous to the path (core_positioning.cpp)
     // The axis goes to its target with its own feed (mm/min or deg/min, 0 rapid; per_turn: mm a
-    // revolution of `spindle`) and nobody waits.
+    // revolution of `spindle`) and the program does not wait.
     bool beside(unsigned place, const AxisValues& target, double feed, bool per_turn = false,
                 std::uint16_t spindle = 0);
-    void arrive(AxisSet axes, std::uint32_t spindles);  // stands until they are there
+    void arrive(AxisSet axes, std::uint32_t spindles);  // waits until they are there
     // The axis' drive may give only so many thousandths of its torque; 0: all of it (a barrier,
     // then take_positions).
     void limit_torque(unsigned place, double thousandths, double window_mm);
-    // At the end of the block the program must stand at a barrier: what stands elsewhere then is
+    // At the end of the block the program must be at a barrier: positions that differ then are
     // taken over there.
     bool due_at_barrier() const {
         return resync_ != 0 || skip_due_ || measure_due_ || home_due_ != 0;
     }
     AxisSet skip_moved() const { return skip_moved_; }  // axes of the last skip move
-    // axes stand where the signal stopped them; the set of those that ended before their target
+    // axes are where the signal stopped them; the set of those that ended before their target
     AxisSet take_skip();
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
     // axes whose signal in measure() came before their end
@@ -357,7 +357,7 @@ public:
     // A word of a roll-over axis as its target: absolute or incremental, see the parameters.
     double rollover_target(unsigned place, double word, bool absolute);
     void force_exact_stop() { exact_once_ = true; }
-    // A cut per revolution waits for a spindle that stands, and is a warning only (sinumerik);
+    // A cut per revolution waits for a stopped spindle, and is a warning only (sinumerik);
     // otherwise it is an alarm.
     void wait_for_spindle(bool on) { waits_for_spindle_ = on; }
 
@@ -388,7 +388,7 @@ public:
     void barrier_before_held();
     // what was delivered last must be executed first
     bool halted() const;
-    // true: nothing is held, Core stands where the machine stands
+    // true: nothing is held, Core's position is the machine's
     bool barrier_passed();
     // Around the moves of a cycle that compensation must leave alone: as programmed, or shifted by
     // the present vector.
@@ -432,9 +432,10 @@ public:
              ToolCallBy by = ToolCallBy::Type, std::string_view name = {});
     // ProgramControl: what the program takes out of the operator's hands
     void tell_control(std::uint32_t bits);
-    // A statement that waits for a value of the machine, told before its barrier. Coming back to
-    // the same place with nothing done in between, the program polls: only the machine can end such
-    // a loop, and where nothing there changes any more a run in virtual time has to (cli.md 5).
+    // A statement that waits for a value of the machine, reported before its barrier. Coming back
+    // to the same place with nothing done in between, the program polls: only the machine can end
+    // such a loop, and where nothing there changes any more a run in virtual time has to (cli.md
+    // 5).
     void asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column = 0);
     // words, a variable that has another value now, a clock read: next time is another time
     void did() { ++doings_; }
@@ -448,7 +449,7 @@ public:
     // override rests.
     void taps(bool on);
     // How the loop of the channel's spindle closes for a rigid tap (nct part 1 16.4): M19 orients
-    // it (N1503 TSC), or N0823's code closes it where it stands. `oriented`: only M19 will do.
+    // it (N1503 TSC), or N0823's code closes it at its position. `oriented`: only M19 will do.
     // False: it cannot, and the alarm names the spindle.
     struct TapLoop {
         bool orients = false;
@@ -466,7 +467,8 @@ public:
     bool surface_axis_is(int place);
     bool spindle_limit(double rpm);
     bool spindle_least(double rpm);  // surface speed turns it no slower
-    // Until switched off, positions are told beside the path: nobody waits for them (SPOSA).
+    // Until switched off, positions are output asynchronously: the program does not wait for them
+    // (SPOSA).
     void position_outside_path(bool on) { spindle_positioning_ = on; }
     // of the angles that follow; 0: in rapid
     void position_feed(double rpm) { position_feed_rpm_ = rpm; }
@@ -608,7 +610,7 @@ private:
     std::unique_ptr<compensation::Compensator> comp_;
     compensation::Options comp_options_;
     std::unique_ptr<corners::CornerStage> stage_;
-    bool staged_ = false;  // stage_ and comp_ stand in the way
+    bool staged_ = false;  // stage_ and comp_ are in the chain
     bool compensating_ = false;
     CompSide comp_side_ = CompSide::Off;  // as programmed; a mirroring frame changes it
     // axes that the next move takes along although they are where it wants them
@@ -620,7 +622,7 @@ private:
     StrokeZones zones_;  // where the axes may be, as of the last barrier
     void find_reference(AxisSet which, const AxisValues& then);
     void take_due();
-    AxisSet resync_ = 0;  // they stand somewhere else behind the next barrier
+    AxisSet resync_ = 0;  // their position is another one behind the next barrier
     // they find their reference points before it, and go to home_then_ behind it
     AxisSet home_due_ = 0;
     AxisValues home_then_{};

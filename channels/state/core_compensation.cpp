@@ -1,5 +1,5 @@
-// Nose-radius compensation as the channel's state sees it: when it stands between Core and the
-// sink, and which nose cuts.
+// Nose-radius compensation as part of the channel's state: when it is between Core and the sink,
+// and which nose cuts.
 #include <cmath>
 #include <limits>
 
@@ -30,7 +30,7 @@ Core::~Core() = default;
 
 void Core::compensation_options(const compensation::Options& options) { comp_options_ = options; }
 
-// What compensation is told waits behind a move that is held for its corner.
+// Calls to compensation wait behind a move that is held for its corner.
 template <class Told>
 void Core::tell_comp(Told&& told) {
     if (staged_ && stage_->holding())
@@ -73,7 +73,7 @@ void Core::select_side() {
     tell_comp([left](compensation::Compensator& comp) { comp.select(left ? 1 : -1); });
 }
 
-// Both stages are put into the way, or are there already.
+// Both stages are put into the chain, or are there already.
 void Core::chain(bool in_frame) {
     if (reads_ahead()) return;
     if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
@@ -163,7 +163,7 @@ void Core::tell_nose() {
         });
 }
 
-// Of the plane; an axis beside it that stays where it is moves nothing in it, as when it moves
+// Of the plane; an axis outside it that does not move moves nothing in it, as when it moves
 // (fanuc_lathe 3.12).
 void Core::tell_zero_distance() {
     int p = -1, q = -1;
@@ -184,7 +184,7 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
     if (wants_barrier)
         tell_comp([here = at](compensation::Compensator& comp) { comp.ensure_halt(here); });
     if (!compensation_failed()) return false;
-    // Where something in between must be executed first (M0, a wait), what stands behind it is
+    // Where something in between must be executed first (M0, a wait), what follows it is
     // still there: reading stops.
     if (staged_ && !stage_->holding() && (compensating_ || comp_->closed())) {
         staged_ = false;
@@ -206,7 +206,7 @@ bool Core::compensation_failed() {
     }
     if (!comp_->failed()) return true;
     const auto& fault = comp_->fault();
-    if (fault.alarm == Alarm{}) return true;  // somebody else's alarm: it was told
+    if (fault.alarm == Alarm{}) return true;  // another stage's alarm: it was reported
     const bool here = fault.this_block && fault.at.serial == at.serial;
     fail(fault.alarm, here ? 'G' : 0);
     if (!here) fault_.block = fault.at;
@@ -223,7 +223,7 @@ bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {
     if (reads_ahead()) {
-        // read on already: they begin where the machine stands now
+        // read on already: they begin at the machine's present position
         const bool moves_follow = comp_->holds_moves_back();
         comp_->resume();
         if (moves_follow || (staged_ && stage_->holding()) || comp_->holds() || comp_->halted())

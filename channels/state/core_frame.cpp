@@ -39,7 +39,7 @@ AxisValues Core::unframed(const AxisValues& point) const {
         out[i] = point[i] * path.inverse.scale[i] + path.inverse.offset[i];
     Point3 geo = geo_of(point);
     for (std::size_t k = 0; k < 3; ++k)
-        // an axis that is not there stands still outside
+        // a missing axis is at standstill outside
         if (geo_[k] < 0) geo[k] = path.frame.shift[k];
     put_geo(out, path.inverse.map(geo));
     return out;
@@ -109,7 +109,7 @@ bool Core::frame_mirrors_plane() const {
     return m[p][p] * m[q][q] - m[p][q] * m[q][p] < 0;
 }
 
-// A point whose image needs an axis that the channel does not have is out of reach.
+// A point whose image needs an axis that the channel does not have is not reachable.
 bool Core::frame_reachable(const AxisValues& target) {
     const Point3 point = path.frame.map(geo_of(target));
     for (std::size_t k = 0; k < 3; ++k)

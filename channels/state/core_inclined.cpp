@@ -52,7 +52,7 @@ bool Core::frame_inclines() const {
     return inclined_plane(plane);
 }
 
-// What stands in the way from now on works in that plane.
+// The stages in the chain work in that plane from now on.
 Sink& Core::incline(bool wanted) {
     Frame plane;
     inclined_ = wanted && inclined_plane(plane);

@@ -26,7 +26,7 @@ double Core::rollover_target(unsigned i, double word, bool absolute) {
     } else if (axis.rollover_shortest) {
         distance = wrapped(word, period) - now;
         if (distance > period / 2) distance -= period;
-        if (distance <= -period / 2) distance += period;  // half a turn goes the positive way
+        if (distance <= -period / 2) distance += period;  // half a turn goes in positive direction
     } else {
         const double target =
             wrapped(axis.rollover_sign_is_direction ? std::fabs(word) : word, period);
@@ -152,11 +152,11 @@ bool Core::zones_allow(const Move& move) {
     return within_second_limits(move);
 }
 
-// Travel limits beside those of the stroke, for the axes themselves (fagor_8037t part 2, 11.2.7).
+// Travel limits besides those of the stroke, for the axes themselves (fagor_8037t part 2, 11.2.7).
 bool Core::within_second_limits(const Move& move) {
     if (path.second_limits.guard == WorkZone::Guard::Off) return true;
     WorkZone zone = path.second_limits;
-    // where an axis rests is nobody's fault
+    // an axis at rest is no fault
     zone.has_low &= move.moved;
     zone.has_high &= move.moved;
     if (!violates(zone, move)) return true;
@@ -203,7 +203,7 @@ void Core::deliver() {
 }
 
 void Core::accept(const AxisValues& target) {
-    if (!offset_alone_ || move_.moved) ++ways_;  // an offset that changes nothing is no way
+    if (!offset_alone_ || move_.moved) ++ways_;  // an offset that changes nothing is no travel
     if (path.fixture.on) take_fixture_step();
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         path.programmed[i] = target[i];
@@ -561,7 +561,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     return true;
 }
 
-// Fills what is an arc's own in move_, whose ends stand; the call is the one outside the frame.
+// Fills what is an arc's own in move_, whose ends are known; the call is the one outside the frame.
 bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
     moves = false;
     const double to_machine_p = path.zero[p] + path.shift[p] + path.wanted[p];

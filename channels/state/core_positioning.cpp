@@ -1,5 +1,5 @@
-// What goes on beside the path of a program: positioning axes with their own feed, waiting for them
-// and for positioned spindles, torque limits of drives, reference points that a program finds.
+// Motion asynchronous to the path of a program: positioning axes with their own feed, waiting for
+// them and for positioned spindles, torque limits of drives, reference points that a program finds.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -66,7 +66,7 @@ void Core::find_reference(AxisSet which, const AxisValues& then) {
         if (which >> i & 1u) home_then_[i] = then[i];
 }
 
-// Behind a barrier: axes stand where a stop, a release or their reference point has left them.
+// Behind a barrier: axes are where a stop, a release or their reference point has left them.
 void Core::take_due() {
     if (std::exchange(measure_due_, false)) measured_ = take_skip();
     if (std::exchange(skip_due_, false)) stops_met_ |= take_skip();

@@ -21,7 +21,7 @@ int Core::surface_axis() const {
     return -1;
 }
 
-// Machine coordinate of the axis where the tool stands on the turning axis.
+// Machine coordinate of the axis at which the tool is on the turning axis.
 double Core::surface_zero(int place) const {
     if (place < 0) return 0.0;
     const auto i = static_cast<std::size_t>(place);
@@ -285,9 +285,9 @@ void Core::asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column)
     tell_control(control_);
 }
 
-// The spindle turns on in a hold and would cut the thread away under the tool that stands (the
-// field's standard; fagor_8037t part 2, 9.6.3: "cannot be interrupted"). Programs that run beside
-// the path have no hold of their own.
+// The spindle turns on in a hold and would cut the thread away under the stopped tool (the
+// field's standard; fagor_8037t part 2, 9.6.3: "cannot be interrupted"). Programs of positioning
+// axes have no hold of their own.
 void Core::taps(bool on) {
     path.tap_floats = on;
     if (at.own_axis < 0)

@@ -1,5 +1,5 @@
-// Threads: a move whose feed is the spindle's turn; the way out of it in a hold, the groove of a
-// part that is clamped again.
+// Threads: a move whose feed is the spindle's turn; the retract from it in a hold, and the groove
+// of a part that is clamped again.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@ namespace {
 constexpr double kNoThreadWay = 1e-9;  // mm: no movement
 }  // namespace
 
-// Out of a held thread: as the program says, or PT_THREAD_RETRACT across it, back against the last
-// movement of that axis, which was the infeed. An axis that has not moved yet tells nothing: then a
-// hold acts behind the thread.
+// Retract from a held thread: as the program says, or PT_THREAD_RETRACT across it, against the last
+// movement of that axis, which was the infeed. An axis that has not moved yet gives no direction:
+// then a hold acts behind the thread.
 void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     move_.withdraw_axis = call.withdraw_axis;
     move_.withdraw = call.withdraw;
@@ -27,8 +27,9 @@ void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     move_.withdraw[0] = -distance * path.last_travel[static_cast<std::size_t>(across)];
 }
 
-// A part that was clamped again: where the tool stood in its groove, and the spindle with it, tells
-// the angle at which the record begins on that groove. Turns between: s = u (lead + change u / 2).
+// A part that was clamped again: the tool's position in its groove, and the spindle's angle there,
+// give the angle at which the record begins on that groove. Turns between: s = u (lead + change u /
+// 2).
 double Core::picked_up(const ThreadCall& call, unsigned along) const {
     const params::Table& t = view_->table();
     const unsigned l = view_->channel;
@@ -99,7 +100,8 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (longest <= kNoThreadWay) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2),
                  lead_path = call.lead * length / longest;
-    // Where the lead changes from turn to turn it is sqrt(lead^2 + 2 change way) behind the way.
+    // Where the lead changes from turn to turn it is sqrt(lead^2 + 2 change s) behind the distance
+    // s.
     const double end_square = call.lead * call.lead + 2.0 * call.lead_change * longest;
     if (call.lead_change != 0 && end_square <= 0) return fail(Alarm::LeadRunsOut, 'K');
     const double steepest = call.lead_change > 0 ? std::sqrt(end_square) / call.lead : 1.0;

@@ -91,7 +91,7 @@ void Core::transformation_restored() {
     show_factors();
 }
 
-// A rotary axis that takes part counts millimetres, and stands for Y where the transformation says
+// A rotary axis that takes part counts millimetres, and replaces Y where the transformation says
 // so.
 void Core::show_transformation() {
     const int rotary = path.transformation.rotary_place();

@@ -5,7 +5,7 @@
 //   V(a, b) = T1(a) T2(b) T2(b0)' T1(a0)' F        T1 the table axis that carries the other, T2 the
 //                                                  one carried; F, a0, b0 the row
 //
-// V lies in PathState::shift. A move that turns the table ends at the V of its end; on the way both
+// V lies in PathState::shift. A move that turns the table ends at the V of its end; in between both
 // are driven on straight lines.
 #pragma once
 #include <array>

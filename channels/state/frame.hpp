@@ -1,5 +1,4 @@
-// A frame: the closed rule that takes a point of one system of coordinates into the system around
-// it.
+// A frame: the transformation of a point of one coordinate system into the system around it.
 //
 //   outer = linear * point + shift      X, Y, Z (as a radius, mm), by PlaneRole, whatever places
 //                                       they have in the channel

@@ -1,5 +1,5 @@
-// Where a program can go on when what was pushed is discarded (architecture 5.6; see
-// Language::resume_at).
+// The positions at which a program can go on when pushed records are discarded (architecture 5.6;
+// see Language::resume_at).
 //
 // A point is noted for each block. What a plain move changes (positions) lies in the point itself;
 // everything else lies in a full state that all points share until a block changes more than

@@ -8,7 +8,7 @@ namespace polyturn::channels {
 class Core;
 struct Transformation;
 
-// Role of a transformation that has no axis (a fixed angle, or none at all): it stands at its
+// Role of a transformation that has no axis (a fixed angle, or none at all): it is at its
 // centre.
 inline constexpr std::uint8_t kNoPlace = 0xff;
 

@@ -1,25 +1,25 @@
-// What a program has switched on between its coordinates and the axes (fanuc G12.1, G7.1; sinumerik
-// TRANSMIT, TRACYL, TRAANG; fagor G46). Core goes on as before: its machine coordinates are then
-// path coordinates of the roles' axes (ipc/kinematics), a rotary axis among them counts
-// millimetres, and everything from frames to nose-radius compensation works in the plane that the
-// programmer sees. Only TransformSink, behind compensation, knows both sides.
+// The transformation that a program has switched on between its coordinates and the axes (fanuc
+// G12.1, G7.1; sinumerik TRANSMIT, TRACYL, TRAANG; fagor G46). Core goes on as before: its machine
+// coordinates are then path coordinates of the roles' axes (ipc/kinematics), a rotary axis among
+// them counts millimetres, and everything from frames to nose-radius compensation works in the
+// plane that the programmer sees. Only TransformSink, behind compensation, knows both sides.
 #pragma once
 #include "channels/sink.hpp"
 #include "ipc/kinematics/kinematics.hpp"
 
 namespace polyturn::channels {
 
-// where the linear axis of the polar plane may stand
+// where the linear axis of the polar plane may be
 enum class PoleSide : std::uint8_t { Both, Positive, Negative };
 
 struct Transformation {
     Kinematics kinematics{};     // axis: places in the channel; no route
     bool degrees = false;        // cylinder: the rotary axis is programmed by its angle
-    std::int8_t virtual_y = -1;  // place that stands for Y while it is on; -1 none
+    std::int8_t virtual_y = -1;  // slot that replaces Y while it is on; -1 none
     bool named_y = false;        // and is programmed and shown as Y
     // polar: the rotary centre lies at the linear axis' machine zero, not at the workpiece's
     bool about_machine_zero = false;
-    // Polar: the rotary axis counts as 0 where it stands when the plane is switched on, and so does
+    // Polar: the rotary axis counts as 0 at its position when the plane is switched on, and so does
     // the virtual axis (fanuc, nct G12.1). Its coordinate is preset by so many degrees until the
     // plane is off again.
     bool counts_from_here = false;

@@ -19,8 +19,8 @@ bool WorkZone::contains(const AxisValues& point, double slack) const {
     return true;
 }
 
-// The share of the way that lies between each pair of borders; what is left of [0, 1] lies inside
-// all of them.
+// The share of the travel that lies between each pair of borders; what is left of [0, 1] lies
+// inside all of them.
 bool WorkZone::crossed_by(const AxisValues& from, const AxisValues& to) const {
     double first = 0.0, last = 1.0;
     for (AxisSet left = has_low | has_high; left; left &= left - 1) {

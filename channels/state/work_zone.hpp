@@ -13,7 +13,7 @@ struct WorkZone {
     bool limited() const { return (has_low | has_high) != 0; }
     // slack > 0: the box is larger by so much
     bool contains(const AxisValues& point, double slack) const;
-    // the straight way passes its inside
+    // the straight line passes its inside
     bool crossed_by(const AxisValues& from, const AxisValues& to) const;
 };
 
