@@ -6,10 +6,12 @@
 //
 // Invariants
 //   I1  The queue never grows beyond its capacity: the path waits with Begin and Room records until
-//   there is room. I2  M, S and T of a step go to the PLC at the axis (AN_PAXFSTR), apart from
-//   those of the path. I3  A reset, an alarm or the end of the program clears it; the axis comes to
-//   rest by itself (positioning_axis.cpp). I4  An axis does one program at a time
-//   (Core::PositioningTurn), whichever channels have started them: in the order of their starts.
+//       there is room.
+//   I2  M, S and T of a step go to the PLC at the axis (AN_PAXFSTR), apart from those of the path.
+//   I3  A reset, an alarm or the end of the program clears it; the axis comes to rest by itself
+//       (positioning_axis.cpp).
+//   I4  An axis does one program at a time (Core::PositioningTurn), whichever channels have started
+//       them: in the order of their starts.
 #pragma once
 #include <cstdint>
 #include <vector>

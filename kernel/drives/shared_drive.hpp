@@ -2,10 +2,12 @@
 // addresses N0503, N0603). Behind it lies one drive in millionths of a degree; the spindle sees
 // whole counts of its own encoder, the axis all of it.
 //
-//   spindle --exchange--> +-------------+                 The kernel decides who has the drive. The
-//   other one's command is
-//                         | SharedDrive | --> drive       not given out; what is measured both see. Spindles come first
-//   axis    --exchange--> +-------------+                 in a tick: without the drive they see it one tick older.
+//   spindle --exchange--> +-------------+
+//                         | SharedDrive | --> drive
+//   axis    --exchange--> +-------------+
+//
+// The kernel decides who has the drive. The other one's command is not given out; what is measured
+// both see. Spindles come first in a tick: without the drive they see it one tick older.
 #pragma once
 #include <array>
 #include <memory>

@@ -15,7 +15,7 @@
 //       order of reference points, pulses of a wheel) ask again when their turn comes, and forget
 //       the wish when it is refused.
 //   G4  Entering a block, selecting, changing the mode, attaching, an imported parameter make no
-//   permit.
+//       permit.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -2,17 +2,19 @@
 // at any moment and with anything: only a copy in the kernel's memory counts, made once, checked
 // there (record_check.hpp), and never read again in the segment.
 //
-//   its ring   | executed | being driven ... | checked, not planned | written, not looked at |     
-//       head: believed only within
-//              tail ^ cursor                                  taken ^                    head ^        last head .. cursor + kPathRing
+//   its ring   | executed | being driven ... | checked, not planned | written, not looked at |
+//              tail ^ cursor                                  taken ^                    head ^
+//
+// head: believed only within last head .. cursor + kPathRing
 //
 // Invariants
 //   I1  Records in [cursor, taken()) are checked copies. Behind taken() nothing is known: record()
-//   gives an empty record. I2  After a refusal nothing more is taken before the channel's
-//   process has a successor, or begins behind a reset. I3  The work of a tick is bounded:
-//   kCopiesPerTick records, kSkipsPerTick of an older epoch. I4  A transformation is copied and
-//   checked with the first record that names it after a change; while a record that waits names it,
-//       it must not change.
+//       gives an empty record.
+//   I2  After a refusal nothing more is taken before the channel's process has a successor, or
+//       begins behind a reset.
+//   I3  The work of a tick is bounded: kCopiesPerTick records, kSkipsPerTick of an older epoch.
+//   I4  A transformation is copied and checked with the first record that names it after a change;
+//       while a record that waits names it, it must not change.
 #pragma once
 #include <array>
 #include <cstdint>

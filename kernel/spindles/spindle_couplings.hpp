@@ -2,8 +2,9 @@
 // axis of the electronic gear box (nct_parameters_part1 8.9, part2 19, fanuc_lathe 10.1,
 // architecture 5.8). One mechanism for all of them:
 //
-//   follower's turns = ratio * master's turns + phase + helix * axis travel + own turns       
-//   master: as its encoder says, estimated
+//   follower's turns = ratio * master's turns + phase + helix * axis travel + own turns
+//
+// master: as its encoder says, estimated
 //
 // The follower reaches that line from any state (kernel/motion/line_follower.hpp), within
 // its own limits and while the master goes on turning; while it follows, the master is neither

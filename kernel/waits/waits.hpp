@@ -3,18 +3,18 @@
 // when each channel of the set has arrived at the same code with the same set, or is one that is
 // not waited for (CP_NOWT). A channel with its own CP_NOWT does not wait.
 //
-//   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a deadlock, no third
-//   channel can resolve it
+//   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a deadlock, which no
+//                                                third channel can resolve
 //   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is on its way: no
-//   deadlock
+//                                                deadlock
 //
 // I1  An arrival is consumed by its release; a fast channel is never counted for an earlier
-// rendezvous. I2  An arrival counts only in the run of the program that made it, and only while
-// that program is live: no alarm, reset or death has
-//     to take it away, and none can forget to.
+//     rendezvous.
+// I2  An arrival counts only in the run of the program that made it, and only while that program is
+//     live: no alarm, reset or death has to take it away, and none can forget to.
 // I3  Only like meets like: a cut a cut, a dry run a dry run, a block by hand another one, a search
-// one of the same restart. Pure arithmetic on 16 channels: no clock, no image. Tested against plain
-// models.
+//     one of the same restart.
+// Pure arithmetic on 16 channels: no clock, no image. Tested against plain models.
 #pragma once
 #include <array>
 #include <cstdint>
