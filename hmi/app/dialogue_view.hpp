@@ -43,7 +43,7 @@ private:
     Table* table_;
     NumberPad* pad_;
     Dialogue page_{};
-    unsigned channel_ = 0, chosen_ = 0;  // chosen_: of the desk, at the last look
+    unsigned channel_ = 0, chosen_ = 0;  // chosen_: of the context, at the last look
     std::uint64_t serial_ = 0;
 };
 

@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     polyturn::hmi::MainWindow window(choices);
     window.resize(wanted);
     if (parser.isSet("full-screen")) {
-        // without a window manager nobody else makes it so large
+        // without a window manager nothing else makes it so large
         window.setGeometry(QGuiApplication::primaryScreen()->geometry());
         window.showFullScreen();
     } else

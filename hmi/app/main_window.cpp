@@ -322,7 +322,7 @@ void MainWindow::readBuilderMessages() {
         [file = (std::filesystem::path(base).parent_path() / "messages.csv").string()](
             const std::atomic<bool>&) {
             text::BuilderMessages out;
-            (void)out.add_file(file);  // the controller tells what is wrong in it
+            (void)out.add_file(file);  // the controller reports what is wrong in it
             return out;
         },
         0);
@@ -355,7 +355,7 @@ void MainWindow::showKeys() {
 
 void MainWindow::composeTop(Writer& w) {
     const Theme& t = theme();
-    const bool stands = upright(*this);  // there what is told stands in a line of its own
+    const bool stands = upright(*this);  // there the message has a line of its own
     const double h = stands ? top_->height() / 2.0 : top_->height(), wide = top_->width();
     w.fill(QRectF(0, 0, wide, top_->height()), t.bar);
     const auto step = static_cast<MachineStep>(live_.status().step);
@@ -373,7 +373,7 @@ void MainWindow::composeTop(Writer& w) {
         else if (does == ChannelState::Interrupted || does == ChannelState::Dead)
             broken.push_back(channel);
     }
-    // who waits for one that stands, stands
+    // a channel that waits for a stopped one is stopped too
     const bool worked = live_.connected() && step == MachineStep::Ready &&
                         !(run.empty() && wait.empty() && stand.empty() && broken.empty()),
                runs = !run.empty() || (!wait.empty() && stand.empty() && broken.empty());

@@ -89,7 +89,7 @@ public:
     virtual bool typing() const { return false; }
     virtual QString state() const { return {}; }  // where in the screen, to be kept
     virtual void restore(const QString&) {}
-    // it will be made anew: what state() does not hold goes to the desk
+    // it will be made anew: what state() does not hold goes to the context
     virtual void leave() {}
     virtual int pages() const { return 1; }  // for pictures of all of it
     virtual void turnTo(int /*page*/) {}

@@ -13,7 +13,7 @@ public:
     static constexpr int kKeys = 10;
     static constexpr int kReadMs = 500;  // the least time between a question and its answer
     explicit SoftKeyBar(QWidget* parent);
-    // where a key stands in a bar of that size; upright: two rows
+    // where a key stands in a bar of that size; portrait: two rows
     static QRectF place(int key, const QSizeF& bar, bool upright);
     void show(std::vector<SoftKey> keys);
     void press(int key);  // from 0

@@ -1,4 +1,4 @@
-// Panels that stand upright: pieces that lie beside each other elsewhere are stacked there. Asked
+// Portrait panels: pieces that lie side by side elsewhere are stacked there. Asked
 // of the window, so that all of it agrees.
 #pragma once
 #include <QRect>
@@ -8,7 +8,7 @@ namespace polyturn::hmi {
 
 inline bool upright(const QWidget& of) { return of.window()->height() > of.window()->width(); }
 
-// A part with the main thing, and what belongs to it: `wide` at the right, on an upright panel
+// A part with the main thing, and what belongs to it: `wide` at the right, on a portrait panel
 // `high` at the foot.
 struct Parted {
     QRect main, side;
@@ -20,7 +20,7 @@ inline Parted parted(const QWidget& of, const QRect& all, int wide, int high, in
     return {all.adjusted(0, 0, 0, -high - gap),
             QRect(all.left(), all.bottom() + 1 - high, all.width(), high)};
 }
-// That side with the number pad in it: the pad at its foot, on an upright panel at its right.
+// That side with the number pad in it: the pad at its foot, on a portrait panel at its right.
 struct Padded {
     QRect rest, pad;
 };

@@ -33,11 +33,11 @@ struct CompensationCurve {
         Grid
     } kind = Kind::Pitch;
     unsigned channel = 0;                // of straightness and grid
-    unsigned moving = 0, corrected = 0;  // axes; 0: nobody has said which
+    unsigned moving = 0, corrected = 0;  // axes; 0: not known which
     struct Point {
         std::int64_t number = 0;  // of the cell or grid point; A to D are 0 to 3
         double at = 0, value = 0;
-        bool given = true;  // false: 0, because nobody has measured it
+        bool given = true;  // false: 0, because it was not measured
     };
     std::vector<Point> points = {};  // by position; of a grid none: gridRow() has them
     bool on = false;                 // the kernel works with it
@@ -45,11 +45,11 @@ struct CompensationCurve {
     bool four = false;               // its points are parameters: positions A to D and their values
     CompensationGrid grid = {};
     std::int64_t count = 0;  // of points, those of a whole grid
-    double largest = 0;      // correction, either way
+    double largest = 0;      // correction, in either direction
 
     bool described() const { return count >= 2; }
     bool sameTable(const CompensationCurve& other) const;  // whatever it says now
-    // Where the value of a point stands, or its position, when the points are parameters.
+    // Parameter of the value of a point, or of its position, when the points are parameters.
     std::optional<ParameterPlace> parameterOf(std::size_t point, bool position) const;
     // What lays it out and switches it on, without the points.
     std::vector<ParameterPlace> describedBy() const;

@@ -13,7 +13,7 @@ enum class CutSide : std::uint8_t { Unknown, Outside, Inside };
 struct CuttingTool {
     CutSide side = CutSide::Unknown;
     bool guessed = false;  // the side: from what it has cut before
-    // radius of the hole that it leaves when it goes along the axis; 0: nobody says
+    // radius of the hole that it leaves when it goes along the axis; 0: not given
     float hole = 0;
     std::int32_t number = 0;  // another number is another tool
 };

@@ -46,7 +46,7 @@ void KeptPieces::tend() {
     }
 }
 
-// The program ends: nobody waits for a worker any more.
+// The program ends: no worker is waited for.
 KeptPieces::~KeptPieces() {
     for (auto& [name, own] : pieces_) {
         const QString file = fileOf(name, own.span);

@@ -25,7 +25,7 @@ struct ShownBody {
     bool guarded = false, held = false, moves = false;
     RoomBodies::Vector at{}, tip{};  // the carrier's point and the tip of its tool in work
     bool tipKnown = false;
-    std::vector<RoomBodies::Box> boxes{};  // station: that in work is told by inWork
+    std::vector<RoomBodies::Box> boxes{};  // station: that in work is given by inWork
     unsigned inWork = 0;
     // a turret of which only that is known: it has no boxes
     double reach = 0, axisAt = 0, outwards = 1;
@@ -39,11 +39,11 @@ public:
     bool follow(const Live& live);
     bool any() const { return bodies_ != nullptr && bodies_->body_count > 0; }
     const Room* room() const { return bodies_ ? &room_ : nullptr; }
-    // Where everything stands now. The tip of a tool is what the running block says; it stays as it
+    // The present positions. The tip of a tool is what the running block says; it stays as it
     // was known while none says it.
     RoomNow now(const Live& live);
     std::vector<ShownBody> bodies(const RoomNow& now) const;
-    // The point of the channel's tool carrier; false: nobody knows where that is.
+    // The point of the channel's tool carrier; false: its position is not known.
     bool carrier(unsigned channel, const RoomNow& now, RoomBodies::Vector& out) const;
 
 private:

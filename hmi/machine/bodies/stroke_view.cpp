@@ -11,7 +11,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// cosine: an axis that goes along X or Z of the room; a slanted one has no box there
+// cosine: an axis that goes along X or Z of the work area; a slanted one has no box there
 constexpr double kAlong = 0.99;
 
 double rounded(double value) {

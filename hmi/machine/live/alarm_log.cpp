@@ -19,7 +19,7 @@ namespace {
 
 constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
-// an alarm may be heard of before the image says that the machine stands, and behind it
+// an alarm may be heard of before the image shows the standstill, and behind it
 constexpr qint64 kSettleMs = 2'000;
 constexpr qint64 kRefusalMs = 20'000;
 constexpr double kFresh_s = 2;
@@ -70,9 +70,9 @@ void AlarmLog::take(const QJsonObject& answer) {
     for (const auto& one : answer.value("alarms").toArray()) {
         events_.push_back(one.toObject());
         entries_.push_back(read(events_.back()));
-        // One that has just been told: resets that its stamp does not have yet came before it.
+        // One that has just been reported: resets that its stamp does not have yet came before it.
         // Wrong for a reset within this moment behind it, which is then pressed once more: rather
-        // an alarm too long than one that nobody sees. Screens that open in this moment do the
+        // an alarm too long than one that is not seen. Screens that open in this moment do the
         // same.
         AlarmEntry& entry = entries_.back();
         const bool fresh = live_.seconds(live_.status().tick) - entry.seconds < kFresh_s;
@@ -89,8 +89,8 @@ void AlarmLog::take(const QJsonObject& answer) {
     }
     untold_ = entries_.size();
     tellSome();
-    // what the machine had told before these screens: what is of this stop stands; where nobody
-    // knows that any more, the newest may
+    // what the machine had reported before these screens: what belongs to this stop is active;
+    // where nobody knows that any more, the newest may
     if (first) {
         const double since = live_.stoppedSince();
         bool newest = true;

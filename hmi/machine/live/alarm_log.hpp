@@ -26,7 +26,7 @@ struct AlarmEntry {
     std::uint32_t line = 0;  // of the program
     // the program has stood at it; it stands no more, whatever the image says
     bool held = false, over = false;
-    qint64 heard_ms = 0;   // by a clock that nobody sets; long ago: before these screens
+    qint64 heard_ms = 0;   // by a clock that is never set; long ago: before these screens
     bool placed = false;   // `resets` is certain
     int builder = 0;       // number of the machine builder's message; 0: none of his
     bool refusal = false;  // a key that could not be obeyed: nothing has happened
@@ -42,7 +42,7 @@ public:
     // Of the days before, from the store: the newest first, more of them each time.
     void askEarlier();
     const std::vector<AlarmEntry>& earlier() const { return earlier_; }
-    // The newest alarm that stands: of a channel (0: of all); nullptr when there is none.
+    // The newest active alarm: of a channel (0: of all); nullptr when there is none.
     const AlarmEntry* standing(unsigned channel = 0) const;
     // what a program or the machine's builder wants to be read while the channel works
     const AlarmEntry* told(unsigned channel) const;
@@ -68,8 +68,8 @@ private:
     // heard: what the controller itself knows
     bool heard_ = false, earlierAsked_ = false, earlierAll_ = false;
     std::uint64_t version_ = 0, generation_ = 0;
-    std::size_t untold_ = 0;       // entries from the oldest on that may be untold
-    std::size_t toldEarlier_ = 0;  // of the days before: so many from the newest on are told
+    std::size_t untold_ = 0;       // entries from the oldest on that may be unreported
+    std::size_t toldEarlier_ = 0;  // of the days before: so many from the newest on are reported
     qint64 next_ = 0, asked_ms_ = 0, stopped_ms_ = 0;
     bool stopped_ = false;  // the machine, when looked at last
     bool asking_ = false;

@@ -1,6 +1,6 @@
-// Work that may take long, beside the screens: a folder on a network that does not answer must not
-// stop a key. The worker holds all that it needs itself, so that whoever asked may forget it at any
-// time; a worker that never comes back costs a thread and nothing else.
+// Work that may take long, in another thread than the screens: a folder on a network that does not
+// answer must not stop a key. The worker holds all that it needs itself, so that whoever asked may
+// forget it at any time; a worker that never comes back costs a thread and nothing else.
 #pragma once
 #include <atomic>
 #include <chrono>

@@ -10,7 +10,7 @@
 
 namespace polyturn::hmi {
 
-// Where: which value it is. Content: what stands there.
+// Where: which value it is. Content: its content.
 template <class Where, class Content>
 class Changes {
 public:

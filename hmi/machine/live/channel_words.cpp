@@ -154,7 +154,7 @@ Plight plight(const Live& live, const AlarmLog& alarms, unsigned channel) {
         return {Plight::Kind::Alarm, alarm->number + "  " + alarm->text};
     const ChannelStatus& status = live.channel(channel);
     const auto state = static_cast<ChannelState>(status.state);
-    // what was broken off waits for nobody
+    // an aborted program does not wait
     const bool goesOn = state == ChannelState::Running || state == ChannelState::Held ||
                         state == ChannelState::ProgramStop;
     if (state == ChannelState::Waiting || (status.wait_missing && goesOn))

@@ -1,4 +1,4 @@
-// What a channel does and why it stands, in words and signs of the chosen language.
+// A channel's state and the reason of a stop, in words and signs of the display language.
 #pragma once
 #include "hmi/machine/live/alarm_log.hpp"
 #include "hmi/widgets/theme.hpp"
@@ -13,14 +13,14 @@ struct StateWords {
 StateWords stateWords(const ChannelStatus& status);
 QString modeWord(std::uint32_t mode);
 
-// The one thing that matters most now: the alarm that stands, what it waits for, what a start still
-// needs, why it stands.
+// The most important state now: the active alarm, what the channel waits for, what a start still
+// needs, why it is stopped.
 struct Plight {
     enum class Kind : std::uint8_t { None, Alarm, Waits, Needs, Stands, Told } kind = Kind::None;
     QString text;
 };
 Plight plight(const Live& live, const AlarmLog& alarms, unsigned channel);
-// «Waits at M503 for L2, 12 s»; empty: it waits for nobody
+// «Waits at M503 for L2, 12 s»; empty: it does not wait
 QString waitWords(const Live& live, unsigned channel);
 bool storeHasLost(const Live& live);  // no start until a backup is restored, or a maker confirms
 QStringList startNeeds(const Live& live, unsigned channel);  // each with what to do
@@ -49,8 +49,8 @@ QString hoursText(double seconds);
 QString lengthText(double value, unsigned decimals);
 // As displays show an axis: X as a diameter on a diameter axis.
 double shown(const AxisConfig& axis, double trueValue);
-// The same of a place, not of a way: a turning axis is somewhere within its turn, however often it
-// has turned.
+// The same of a position, not of a travel: a turning axis is somewhere within its turn, however
+// often it has turned.
 double shownPlace(const AxisConfig& axis, double trueValue);
 // As the offset tables hold it: a diameter where offsets of the axis are diameters.
 double inTable(const AxisConfig& axis, double trueValue);

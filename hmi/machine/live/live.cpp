@@ -385,7 +385,7 @@ double Live::tableZero(unsigned channel, unsigned place, std::int32_t row) const
 }
 
 // Between the selection of a program and its first block, before the first program and after the
-// last one no block tells what acts: the zeros with which its language begins
+// last one no block says what acts: the zeros with which its language begins
 // (kernel/supervisor/run/start_position.cpp). The tool is the one that the last program has left
 // (ChannelView::toolShift).
 double Live::zeroAtRest(unsigned channel, unsigned place) const {
@@ -425,7 +425,7 @@ bool Live::zeroNow(unsigned channel, unsigned place, double& out) const {
     const bool begins =
         speaks == Dialect::Fanuc || speaks == Dialect::Nct || speaks == Dialect::Mefi;
     if (one.known && (one.picture.flags & kPictureNoShift)) return false;
-    if (!one.known && !rest) return false;  // a picture that is on its way
+    if (!one.known && !rest) return false;  // a snapshot that is in transit
     if (!one.known ||
         (rest && begins && !config_->axis(config_->channel(channel).axes[place]).rotary)) {
         out = zeroAtRest(channel, place);

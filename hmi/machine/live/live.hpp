@@ -21,7 +21,7 @@ namespace polyturn::hmi {
 // What one channel does at the block that runs now.
 struct ChannelView {
     std::vector<std::string> programs;  // paths, [0] the selected or running main program
-    std::uint32_t file = 0;             // of them, the one that the running block stands in
+    std::uint32_t file = 0;             // of them, the one that contains the running block
     // `picture` holds for the running block; else it is the last one that was known
     bool known = false;
     bool rapid = false;  // the running record is one of rapid
@@ -60,7 +60,7 @@ public:
     // there is no controller, in the language of the screens; empty: there is one
     std::string whyNot() const;
     const std::string& instance() const { return instance_; }
-    // where its tables and its room lie, without the ending; empty: there are none
+    // where its tables and its machine model lie, without the ending; empty: there are none
     std::string machineFolder() const;
 
     const MachineStatus& status() const { return *status_; }

@@ -31,7 +31,7 @@ public:
     void press(const QString& words, Done done = {});  // as `polyturn press`
     void set(const QString& words, Done done = {});    // as `polyturn set`
     void parameter(const QString& line, Done done = {});
-    // quiet: a refusal is not told
+    // quiet: a refusal is not reported
     void ask(const QJsonObject& request, Done done, bool quiet = false);
     // as `polyturn tools`, `polyturn pallets` ... do it
     void store(const QJsonObject& operation, Done done = {}, bool quiet = false);
@@ -39,7 +39,7 @@ public:
     std::function<void(const Answer&)> onRefused;
     // of a login; goes along with every request
     void setToken(const QString& token) { token_ = token; }
-    // who asked is gone; the book of alarms is not
+    // the asker is gone; the alarm log is not
     void forgetScreens();
     std::size_t waiting() const { return waiting_.size(); }
 

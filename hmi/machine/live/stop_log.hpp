@@ -16,7 +16,7 @@ struct StopEntry {
     unsigned channel = 0;
     QString cause, number, detail, program;
     unsigned line = 0;
-    double seconds = -1;  // negative: nobody has seen its end
+    double seconds = -1;  // negative: its end was not seen
     bool stands = false;  // it goes on
 };
 
@@ -39,7 +39,7 @@ public:
     std::vector<StopSum> sums() const;                              // the longest first
     const QString& whyNot() const { return whyNot_; }
     std::uint64_t version() const { return version_; }
-    // another language: numbers of alarms are told anew
+    // another language: texts of alarms are translated anew
     void retell();
 
 private:

@@ -37,7 +37,7 @@ void AlignedJob::build(const std::map<unsigned, RunChannel>& channels) {
             continue;
         }
         blocks_.resize(first);
-        // Everybody stands at a wait or is at the end: the first meeting that is complete opens;
+        // All channels are at a wait or at the end: the first complete rendezvous opens;
         // without one, the first that waits is shown alone.
         const At *open = nullptr, *stuck = nullptr;
         for (const At& now : at) {

@@ -4,7 +4,7 @@
 //   row   L1      L2
 //    0    N10     N10        blocks: as they stand in RunChannel::blocks
 //    1    N20      .
-//    2    ==== M500 ====     a meeting: the wait of one of its channels, and who comes to it
+//    2    ==== M500 ====     a rendezvous: the wait of one of its channels, and who comes to it
 //
 // Only numbers are kept: a row is looked at with the channels of now, which a new run may have
 // changed meanwhile.

@@ -1,4 +1,4 @@
-// Where the manual tells of a word of a program: the help key in the editor.
+// Where the manual explains a word of a program: the help key in the editor.
 #pragma once
 #include <QString>
 
@@ -12,7 +12,7 @@ struct CodePlace {
 };
 CodePlace placeOfCode(const QString& word, const QString& language);
 QString referenceOf(Dialect language);  // the page that has all words of a language
-// The word that a column (from 0) of a line stands in or behind.
+// The word that a column (from 0) of a line is in or behind.
 QString wordAt(const QString& line, int column);
 
 }  // namespace polyturn::hmi

@@ -18,7 +18,8 @@ const RunWait* stoodLast(const RunChannel& channel, double until) {
     return last;
 }
 
-// Who came last to the meeting, as late as it ended; 0: nobody did, something else let it go on.
+// The channel that came last to the rendezvous, when it ended; 0: none, it went on for another
+// reason.
 unsigned cameLast(const std::map<unsigned, RunChannel>& channels, const RunWait& meeting) {
     unsigned out = 0;
     double latest = meeting.to - kTogether;

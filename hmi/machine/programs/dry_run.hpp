@@ -43,9 +43,9 @@ struct RunMove {
     int tool = 0, offset = 0, edge = 0;
 };
 struct RunChannel {
-    QStringList axes;            // names of those that RunMove::machine tells
+    QStringList axes;            // names of those that RunMove::machine has
     std::vector<RunMove> moves;  // of a drive: those with X and Z
-    // machine Z of that system's zero, where a move without tool offset has told it; mm
+    // machine Z of that system's zero, where a move without tool offset has given it; mm
     std::optional<double> zero;
     // in the order in which they are executed; a block after itself counts once
     std::vector<RunLine> blocks;
@@ -104,7 +104,7 @@ private:
 
     std::unique_ptr<QProcess> process_;
     QByteArray in_;
-    QByteArray told_, again_;  // all lines; those that are to be told again
+    QByteArray told_, again_;  // all lines; those that are to be reported again
     qsizetype againAt_ = 0;
     QObject turns_;  // the turns that are still to come belong to it
     QString failure_;

@@ -292,7 +292,7 @@ std::vector<Place> places(const QString& mounts, const QStringList& configured) 
         const bool removable =
             !network && (path.startsWith("/media/") || path.startsWith("/run/media/") ||
                          (path.startsWith("/mnt/") && onUsb(words[0])));
-        // A stick that is mounted when somebody looks stands here twice: as the place that waits
+        // A stick that is mounted during a look is listed here twice: as the place that waits
         // for a look, and as what was found there.
         const bool known = std::any_of(out.begin(), out.end(), [&](const Place& one) {
             return one.kind != Place::Kind::Configured && one.path == path;

@@ -200,7 +200,7 @@ QString edgeText(const Live& live, const JobEdge& edge, OffsetSide side, OffsetP
     return out.join("  ");
 }
 
-// A tip's direction has no fraction; wear that is 0 on both sides need not be told.
+// A tip's direction has no fraction; wear that is 0 on both sides need not be shown.
 QString offsetText(const Live& live, const JobOffset& offset, OffsetSide side, OffsetPart part,
                    bool all) {
     QStringList out;

@@ -1,4 +1,4 @@
-// The setup sheet of a job: what it needs beside what is mounted and entered, on the screen and on
+// The setup sheet of a job: what it needs besides what is mounted and entered, on the screen and on
 // paper (PDF).
 #pragma once
 #include "hmi/machine/programs/file_text.hpp"
@@ -58,7 +58,7 @@ std::vector<JobEdge> compareEdges(const Live& live, const JobSheet& sheet);
 QString edgeText(const Live& live, const JobEdge& edge, OffsetSide side, OffsetPart part, bool all);
 // in one line; empty: nothing
 QString jobDiffers(const Live& live, const JobSheet& sheet);
-// What stands on it, as HTML; then on paper.
+// Its content, as HTML; then on paper.
 QString sheetText(const Live& live, const JobSheet& sheet);
 FileOutcome writeSheet(const QString& html, const QString& title, const QString& file,
                        FileProgress& progress, const std::atomic<bool>& stop);

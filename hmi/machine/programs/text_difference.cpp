@@ -47,7 +47,7 @@ std::vector<int> numbered(const QStringList& lines, QHash<QString, int>& numbers
     return out;
 }
 
-// The shortest way from a to b; nothing if the search was ended.
+// The shortest edit script from a to b; nothing if the search was ended.
 bool shortest(const QStringList& a, const QStringList& b, const std::atomic<bool>& stop,
               std::vector<PairedLine>& out) {
     QHash<QString, int> numbers;

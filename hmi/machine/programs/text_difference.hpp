@@ -18,8 +18,8 @@ struct Difference {
     bool rough = false;  // very different: blocks are not matched line by line
     QString fault;       // one of them cannot be read
 };
-// The shortest way from one to the other (library dtl: Wu, Manber, Myers 1990), within bounds;
-// blanks at the end of a line do not count.
+// The shortest edit script from one to the other (library dtl: Wu, Manber, Myers 1990), within
+// bounds; blanks at the end of a line do not count.
 Difference differenceOf(QStringList left, QStringList right, const std::atomic<bool>& stop);
 Difference compareFiles(const QString& left, const QString& right, const std::atomic<bool>& stop);
 

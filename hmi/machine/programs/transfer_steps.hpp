@@ -13,7 +13,7 @@ namespace polyturn::hmi {
 
 struct TransferStep {
     const char* title = "";  // to be translated
-    unsigned channel = 0;    // that says it; of a way that is jogged, the one whose axis goes
+    unsigned channel = 0;    // that says it; of a jog, the one whose axis moves
     long code = -1;          // M code; -1: by jog
     // that plain S of the channel must mean then, for the code acts on it; 0: any
     unsigned spindle = 0;

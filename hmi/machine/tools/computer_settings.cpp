@@ -132,7 +132,7 @@ void ComputerSettings::run(const QString& program, const QStringList& arguments,
     QProcessEnvironment plain = QProcessEnvironment::systemEnvironment();
     plain.insert("LC_ALL", "C.UTF-8");  // details.cpp knows what they say in English
     process->setProcessEnvironment(plain);
-    process->start(program, arguments);  // what asks for a password finds nobody and refuses
+    process->start(program, arguments);  // a program that asks for a password gets none and refuses
     process->closeWriteChannel();
 }
 

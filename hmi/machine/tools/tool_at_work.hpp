@@ -1,5 +1,5 @@
-// Which tool stands in the turret or spindle of a channel: what tool management has put to work,
-// else what the PLC tells (active_tool), else what the last executed block has called. A program
+// The tool in work of a channel's turret or spindle: what tool management has put to work,
+// else what the PLC reports (active_tool), else what the last executed block has called. A program
 // that is read ahead puts no tool to work.
 #pragma once
 #include <QString>
@@ -9,15 +9,15 @@
 namespace polyturn::hmi {
 
 struct ToolAtWork {
-    std::int64_t number = 0;  // as T calls it; 0: nobody knows
+    std::int64_t number = 0;  // as T calls it; 0: not known
     QString name;             // empty: it has none
-    // another one that the running block calls: the turret is on its way, or a change is to come;
+    // another one that the running block calls: the turret is turning, or a change is to come;
     // 0: none
     std::int64_t called = 0;
-    bool certain = false;  // told by the machine, not by a program
+    bool certain = false;  // reported by the machine, not by a program
 };
 ToolAtWork toolAtWork(const Live& live, unsigned channel);
-// «T1  ROUGH_80», «T1 → T3»; empty: nobody knows
+// «T1  ROUGH_80», «T1 → T3»; empty: not known
 QString toolAtWorkText(const ToolAtWork& tool, bool named);
 
 }  // namespace polyturn::hmi

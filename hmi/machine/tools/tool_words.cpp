@@ -8,7 +8,7 @@ namespace polyturn::hmi {
 
 namespace {
 
-constexpr double kLittleLeft = 0.1;  // of a life, where nobody has said when to warn
+constexpr double kLittleLeft = 0.1;  // of a life, where no warning limit is given
 
 // The store warns while it counts; a life that is entered may be short from the beginning.
 bool nearlyOver(const ToolRow& tool) {

@@ -1,4 +1,4 @@
-// A tool as screens tell it: its state as word, sign and colour, how much of its life is left.
+// A tool as screens show it: its state as word, sign and colour, how much of its life is left.
 #pragma once
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/text/display_languages.hpp"

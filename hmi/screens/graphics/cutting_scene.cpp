@@ -68,7 +68,7 @@ CutSide TurnedStock::cut(double z0, double x0, double z1, double x1, const Cutti
     const auto to =
         std::min(static_cast<long>(std::floor(last)), static_cast<long>(radius_.size()) - 1);
     const bool across = z1 - z0 < 1e-9;
-    if (inwards && drills(z0, x0, z1, x1)) {  // the way out of a faced centre is none
+    if (inwards && drills(z0, x0, z1, x1)) {  // the retract from a faced centre is none
         const double hole =
             tool.hole > 0 ? tool.hole : std::min(outer_ * kDrillShare, kLargestDrill);
         for (long i = from; i <= to; ++i) {
@@ -117,7 +117,7 @@ CutSide TurnedStock::cut(double z0, double x0, double z1, double x1, const Cutti
         auto& radius = radius_[static_cast<std::size_t>(i)];
         radius = std::max(std::min(radius, x), bore_);
     }
-    // A facing cut, to the axis or into the hole, takes what stands in front of it.
+    // A facing cut, to the axis or into the hole, takes what is in front of it.
     if (first >= 0 && across && std::min(std::abs(x0), std::abs(x1)) < std::max(1.0, mouth))
         for (long i = std::max(0L, from); i < static_cast<long>(radius_.size()); ++i)
             radius_[static_cast<std::size_t>(i)] = bore_;
@@ -184,7 +184,7 @@ void CuttingScene::addBefore(unsigned channel, std::deque<TrailPoint> points) {
 
 void CuttingScene::cutTo(unsigned channel, const TrailPoint& from, const TrailPoint& to) {
     Seen& seen = seen_[channel];
-    if (to.tool.number <= 0) seen = {};  // nobody says whether it is still the same one
+    if (to.tool.number <= 0) seen = {};  // not known whether it is still the same one
     if (seen.number != to.tool.number) seen = {to.tool.number, CutSide::Unknown};
     CuttingTool tool = to.tool;
     if (tool.side == CutSide::Unknown) {

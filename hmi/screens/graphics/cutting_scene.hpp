@@ -1,6 +1,6 @@
-// What the channels have cut so far: their paths and what is left of the blank, in the room of the
-// machine. Fed by the running machine or by a dry run; knows nothing of pictures. X as a radius, Z
-// along the room.
+// What the channels have cut so far: their paths and what is left of the blank, in the work area of
+// the machine. Fed by the running machine or by a dry run; knows nothing of pictures. X as a
+// radius, Z along the room.
 #pragma once
 #include <cstddef>
 #include <deque>
@@ -51,7 +51,7 @@ private:
 double arcTurn(double difference, bool clockwise, bool whole);
 
 struct TrailPoint {
-    double z, x;  // in the room
+    double z, x;  // in the work area
     bool rapid, begins;
     CuttingTool tool = {};  // that has come here
 };
@@ -63,7 +63,7 @@ struct Trail {
 
 class CuttingScene {
 public:
-    // Where the zero of the workpiece is in the room, and which way its Z points; where its axis
+    // The workpiece zero in the work area, and the direction of its Z; where its axis
     // is.
     struct Zero {
         double z = 0, x = 0, sense = 1;

@@ -40,7 +40,7 @@ Graphics::Graphics(Context& context) : Screen(context), head_(new FreeSheet(this
         const double step = std::min<double>(
             px(84), (head_->width() - room) / static_cast<double>(std::max<std::size_t>(1, count)));
         for (const unsigned channel : context_.live.channels()) {
-            const bool dense = step < px(48);  // sixteen on an upright panel
+            const bool dense = step < px(48);  // sixteen on a portrait panel
             const double stroke = dense           ? px(6)
                                   : step < px(80) ? px(12)
                                                   : px(26),
@@ -69,7 +69,7 @@ Graphics::Graphics(Context& context) : Screen(context), head_(new FreeSheet(this
                    t.accent);
             const QRectF inside = box.adjusted(px(38), 0, -px(10), 0);
             QFont font = large;
-            // why there is nothing to play: on two lines
+            // why there is nothing to simulate: on two lines
             if (wordsWidth(words, font) > inside.width())
                 font = letteringThatFits(words, inside.size(), 13, 11.5, Face::Condensed);
             Item& line = w.text(inside, wordsCutTo(words, font, inside.size()), font, t.text);
@@ -86,7 +86,7 @@ Graphics::Graphics(Context& context) : Screen(context), head_(new FreeSheet(this
     };
 }
 
-// Where the play stands; nothing to play: why.
+// Position of the simulation; nothing to simulate: why.
 QString Graphics::dryWords() const {
     if (dryRun_.running())
         return word("The simulation is being computed: %1 so far").arg(timeText(dryRun_.end()));
@@ -167,9 +167,9 @@ void Graphics::findJob() {
     }
 }
 
-// Where the workpiece zero of a channel is in the room. Of the machine: as its running block has
-// it. Of a dry run: as the run has told it, else by the job's G54, with which it begins, else as
-// the machine has it. Where nobody knows it, the blank touches its chuck.
+// Where the workpiece zero of a channel is in the work area. Of the machine: as its running block
+// has it. Of a dry run: as the run has reported it, else by the job's G54, with which it begins,
+// else as the machine has it. Where it is not known, the blank touches its chuck.
 CuttingScene::Zero Graphics::zeroOf(unsigned channel, bool dryRun) const {
     CuttingScene::Zero zero;
     const Room* room = room_.room();
@@ -477,7 +477,7 @@ void Graphics::turnTo(int page) {
 }
 
 void Graphics::refresh() {
-    // of a run: its axes were set when it was played; those it does not move stand where they are
+    // of a run: its axes were set when it was played; those it does not move stay where they are
     bodies_ = room_.bodies(now_);
     head_->refresh();
     if (std::vector<ShownStroke> strokes = shownStrokes(context_.live, room_, now_);

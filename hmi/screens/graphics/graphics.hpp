@@ -124,7 +124,7 @@ private:
     void drawPart(QPainter& p);
     BodyLook lookOf(const ShownBody& body) const;
     TipLook lookOf(unsigned channel, const Trail& trail) const;
-    QRegion takeLooks();  // as everything stands now; what must be painted again
+    QRegion takeLooks();  // positions of now; what must be painted again
     void drawBody(QPainter& p, const BodyLook& body);
     void drawNotes(QPainter& p, const QRegion& region);
     struct Notes {
@@ -148,9 +148,9 @@ private:
     std::vector<ShownStroke> strokes_;
     std::map<unsigned, double> cycle_;             // of the parts, by channel
     std::map<unsigned, LookedUp> inWork_, inRun_;  // by channel
-    // of the workpiece in the room, as the running block has it
+    // of the workpiece in the work area, as the running block has it
     std::map<unsigned, double> zeroZ_;
-    // channels whose new part has not told its zero yet: that of the part before is shown
+    // channels whose new part has not reported its zero yet: that of the part before is shown
     std::set<unsigned> zeroDue_;
     Aside<FoundJob> finding_;
     FoundJob job_;

@@ -1,4 +1,4 @@
-// What the screen of graphics shows again after a restart: how the room is looked at, the paths of
+// What the screen of graphics shows again after a restart: the view of the work area, the paths of
 // the running part, the run that was played.
 #include <QStringList>
 #include <algorithm>

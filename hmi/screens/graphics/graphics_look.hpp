@@ -1,4 +1,4 @@
-// How the picture tells channels apart.
+// How the picture distinguishes channels.
 #pragma once
 #include <QColor>
 

@@ -15,7 +15,7 @@
 namespace polyturn::hmi {
 namespace {
 constexpr double kSketchWide = 0.45;  // of the reach: a turret of which only that is known
-// mm: what stands farther out (the head behind a chuck) does not make the picture smaller
+// mm: what is farther out (the head behind a chuck) does not make the picture smaller
 constexpr double kLargest = 2500;
 constexpr double kFarthest = 1e5;                      // mm: drawn instead of infinity
 constexpr double kNameEvery = 220, kNamesApart = 110;  // of channels on their paths
@@ -42,8 +42,8 @@ void keepClear(QRectF& label, const std::vector<QRectF>& taken, const QRectF& ar
 }
 }  // namespace
 
-// The part of the room that is shown: the blank with what is around it, or all bodies. In pixels: z
-// to the right, x up.
+// The part of the work area that is shown: the blank with what is around it, or all bodies. In
+// pixels: z to the right, x up.
 void Graphics::measure() {
     const CuttingScene& scene = shown();
     const CuttingScene::Zero zero = scene.stock.any() || context_.live.channels().empty()
@@ -379,7 +379,7 @@ QRegion Graphics::takeLooks() {
             taken.push_back(tip.label);
         }
     std::vector<BodyLook> bodies;
-    for (const bool carriers : {false, true})  // carriers are drawn over what stands
+    for (const bool carriers : {false, true})  // carriers are drawn over what is at standstill
         for (const ShownBody& body : bodies_)
             if ((body.kind == RoomBodies::Kind::Carrier) == carriers)
                 bodies.push_back(lookOf(body));

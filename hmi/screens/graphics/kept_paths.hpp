@@ -16,7 +16,7 @@ struct KeptPaths {
     struct Channel {
         std::uint64_t cycles = 0;  // that it had done
         double cycle_s = 0;        // of the one that it was in
-        double zeroZ = 0;          // of the workpiece in the room, as the screen knew it
+        double zeroZ = 0;          // of the workpiece in the work area, as the screen knew it
         bool zeroKnown = false;
         std::deque<TrailPoint> points;
     };

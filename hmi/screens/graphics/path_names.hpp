@@ -1,4 +1,4 @@
-// Where the name of its channel stands on a path, so that colour is not all that tells paths apart:
+// Where the name of its channel is on a path, so that colour is not all that distinguishes paths:
 // at even distances along it, and never near an older one, for roughing goes along the same line
 // again and again.
 #pragma once
@@ -17,7 +17,7 @@ public:
         places_.clear();
         sinceLast_ = -1;
     }
-    // The path goes on by a straight line, in pixels. A name stands a distance `every` after the
+    // The path goes on by a straight line, in pixels. A name is a distance `every` after the
     // last one, if it is within the area and
     // `apart` from all others.
     void goOn(const QPointF& from, const QPointF& to, double every, double apart,

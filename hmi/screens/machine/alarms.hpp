@@ -1,4 +1,4 @@
-// Alarms with cause, remedy and place: those that stand, and the history; the log of stops.
+// Alarms with cause, remedy and place: the active ones, and the history; the log of stops.
 #pragma once
 #include "hmi/app/screen.hpp"
 #include "hmi/screens/machine/stops_page.hpp"
@@ -43,7 +43,7 @@ private:
     FreeSheet* detail_;
     StopsPage* stops_;
     Page page_ = Page::Standing;
-    std::vector<AlarmEntry> rows_;  // copies: the book goes on
+    std::vector<AlarmEntry> rows_;  // copies: the log goes on
     std::uint64_t version_ = 0;
 };
 

@@ -51,7 +51,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    // Where a value stands.
+    // The parameter of a value.
     struct Place {
         enum class Kind : std::uint8_t { Cell, Point, Parameter } kind = Kind::Cell;
         std::int64_t number = 0;  // of the cell, of the point

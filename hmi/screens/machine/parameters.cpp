@@ -75,7 +75,7 @@ QString asShown(const QString& target, const QString& value) {
                : value;
 }
 
-// A bit whose table tells what it means on says nothing of off where off is just that it does not;
+// A bit whose table gives its meaning for on has none for off where off is just that it does not;
 // and the other way round.
 QString bothMeanings(const QString& told) {
     static const QRegularExpression kOne("(^|[ ,;])1 "), kNone("(^|[ ,;])0 ");
@@ -621,7 +621,7 @@ void Parameters::composeDetail(Writer& w) {
     // each bit with what it means on and off; a touch chooses it, the next one turns it over
     if (bits) {
         const auto now = static_cast<unsigned>(value(*line));
-        // beneath: what is told of every parameter
+        // beneath: what is shown of every parameter
         const double facts = px(90 + (row.acts != "yes" ? 36 : 0));
         // Shares of the height by the lines of the texts, about so many letters each: three lines
         // must not be cut where others have one.

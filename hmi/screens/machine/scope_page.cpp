@@ -42,7 +42,7 @@ double shownAs(const Live& live, ScopeKind kind, unsigned object) {
 QString ofAxis(const QString& title, const AxisConfig& axis, const LengthUnit& unit) {
     if (title == "torque") return "%";
     if (title == "velocity") return unit.perMinuteKey();
-    // the slide's own way, whatever it shows elsewhere
+    // the slide's own travel, whatever it shows elsewhere
     return axis.rotary     ? QString::fromUtf8("°")
            : axis.diameter ? QString(unit.inch() ? WORD("inch, radius") : WORD("mm, radius"))
                            : QString(unit.nameKey());
@@ -384,7 +384,7 @@ void ScopePage::follow() {
             update(room_);
         }
     }
-    // of other signals nobody can say how round they are
+    // of other signals roundness has no meaning
     if (!choseCircle()) return void(judged_ = true);
     if (judging_.busy() || time < roundMs_ + kRoundMs) return;
     roundMs_ = time;

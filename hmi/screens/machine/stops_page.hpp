@@ -1,4 +1,4 @@
-// The log of stops: when, how long, which channel, why; beside it the sum of each cause as a
+// The log of stops: when, how long, which channel, why; next to it the sum of each cause as a
 // picture, and the stops over the period.
 #pragma once
 #include "hmi/app/screen.hpp"

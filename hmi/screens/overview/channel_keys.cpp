@@ -15,7 +15,7 @@ double composeChannelKeys(Writer& w, const Context& context, const QSizeF& title
         const QRectF box(right - step + px(2), px(7), step - px(6), title.height() - px(12));
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        // sixteen on an upright panel
+        // sixteen on a portrait panel
         w.text(box, QString("L%1").arg(*channel),
                step < px(40) ? lettering(12.5, here, Face::Condensed) : lettering(16, here), t.text,
                Qt::AlignCenter);

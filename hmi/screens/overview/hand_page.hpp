@@ -1,4 +1,4 @@
-// The rest of what is done by hand: the wheel on the screen, a tool called from its station, the
+// The rest of manual operation: the handwheel on the screen, a tool called from its station, the
 // spindle, and a part passed to the counter spindle step by step with the functions of the built-in
 // lathe PLC. Each sends what a program would say, as a block by hand.
 #pragma once
@@ -19,10 +19,10 @@ public:
     FreeSheet& wheel() { return *handwheel_; }
     Table& tools() { return *tools_; }
     Table& steps() { return *steps_; }
-    unsigned axis() const;      // that the wheel turns; 0 none
+    unsigned axis() const;      // that the handwheel turns; 0 none
     void turn(int clicks);      // as often as the factor says
     QString toolBlock() const;  // «T0303» in the channel's language
-    // «M5», or «G97 S300 M3» where it stands; empty: the channel has none
+    // «M5», or «G97 S300 M3» where it is stopped; empty: the channel has none
     QString spindleBlock() const;
     static constexpr int kAxisHits = 100, kFactorHits = 300, kMinusHit = 400, kPlusHit = 401,
                          kDialHit = 402;
@@ -55,7 +55,7 @@ private:
     std::vector<TransferStep> transfer_;
     std::uint64_t generation_ = ~0ull;         // of the machine that transfer_ is of
     unsigned place_ = 0;                       // of the axis in the channel
-    int factor_ = 1, focus_ = 0, turned_ = 0;  // focus: 0 wheel, 1 tools, 2 steps
+    int factor_ = 1, focus_ = 0, turned_ = 0;  // focus: 0 handwheel, 1 tools, 2 steps
     bool dialing_ = false;
     double lastAngle_ = 0, angleLeft_ = 0;
 };

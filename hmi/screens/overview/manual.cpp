@@ -19,7 +19,7 @@ constexpr std::array<const char*, 6> kSteps{"", "0.001", "0.01", "0.1", "1", "10
 // of linear axes; of turning ones it is the same figure in degrees
 constexpr std::array<const char*, 6> kInchSteps{"", "0.0001", "0.001", "0.01", "0.1", "1"};
 constexpr int kTellMs = 120;
-// when nothing is told any more, the axis stops after this
+// when no more reports come, the axis stops after this
 constexpr const char* kHeldFor = "0.35s";
 
 // feed of all channels in focus, rapid, spindle: less and more
@@ -211,7 +211,7 @@ void Manual::showHand(bool on) {
 void Manual::layOut() {
     const int side = px(390), edge = px(8);
     const bool stands = upright(*this);
-    // beneath the axes, while a block is entered; on an upright panel right above what is typed
+    // beneath the axes, while a block is entered; on a portrait panel right above what is typed
     const int keyboard = typing_ ? px(300) : 0;
     const Parted all = parted(*this, rect().adjusted(edge, edge, -edge, -edge), side,
                               px(typing_ ? 470 : 610), edge);
@@ -464,10 +464,10 @@ void Manual::composeSide(Writer& w) {
     }
     // MDI
     const double hold = composeMdi(w, px(256), high - px(60)) + px(12);
-    // the way back out of a hold
+    // the return out of a hold
     w.fill(QRectF(0, hold, wide, high - hold), t.card, px(8));
     const Plight now = plight(live, context_.alarms, context_.channel);
-    // Nothing stands in the way of a program that runs, and it needs no start.
+    // A running program lacks nothing and needs no start.
     const auto state = static_cast<ChannelState>(live.channel(context_.channel).state);
     const bool runs = now.kind == Plight::Kind::None &&
                       (state == ChannelState::Running || state == ChannelState::Waiting);
@@ -574,7 +574,7 @@ std::vector<SoftKey> Manual::keys() {
     const bool on = live.status().machine_state == 2;
     const bool rests = static_cast<ChannelState>(status.state) == ChannelState::Reset ||
                        static_cast<ChannelState>(status.state) == ChannelState::Ended;
-    // The way out of a hold and the way back have one key: only one of them can be gone. What it
+    // Leaving the path in a hold and the return have one key: only one of them can be gone. What it
     // asks keeps a second press of the first from being the other.
     SoftKey start = startKey(context_);
     if (mode_now == ChannelMode::Mdi && rests && !status.mdi_waiting)

@@ -74,7 +74,7 @@ private:
     HandPage* hand_;
     TextPad* pad_;  // for a finger, while a block is entered
     bool handShown_ = false;
-    QTimer held_;  // tells the kernel that the key is still held
+    QTimer held_;  // reports to the kernel that the key is still held
     QString heldWords_;
     int step_ = 0;  // 0: jog as long as the key is held; otherwise into kSteps
     bool typing_ = false;

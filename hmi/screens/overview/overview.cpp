@@ -219,7 +219,7 @@ SoftKey Overview::endWithPartKey() {
             ends ? word("Parts go on: press again") : QString()};
 }
 
-// Left by whatever way, the screen comes back with its first page.
+// However it is left, the screen comes back with its first page.
 void Overview::hideEvent(QHideEvent*) { page_ = Keys::Channels; }
 
 // The kernel takes machine lock between programs and at rest only (ChannelRunner::take_keys):
@@ -235,7 +235,7 @@ bool Overview::takesMachineLock() const {
     return true;
 }
 
-// The way back is chosen in a hold (ChannelRunner::retrace); a way that is chosen, or driven, can
+// Retrace is chosen in a hold (ChannelRunner::retrace); a direction that is chosen, or driven, can
 // be turned round.
 bool Overview::takesRetrace() const {
     const ChannelStatus& status = context_.live.channel(context_.channel);

@@ -56,8 +56,8 @@ private:
     NumberPad* pad_;
     ProgramText texts_;
     std::array<Stood, kMaxChannels> stood_{};
-    // A restart whose outcome has not been told: its channels (bit 0 is channel 1), who of them was
-    // seen to search, since when.
+    // A restart whose outcome has not been reported: its channels (bit 0 is channel 1), who of them
+    // was seen to search, since when.
     std::uint32_t searched_ = 0, seen_ = 0;
     qint64 searchedAt_ = 0;
     bool back_ = false;  // what was kept has been read

@@ -15,7 +15,7 @@ contour::Writing contourWriting(const Live& live, unsigned channel, const QStrin
 class ContourPage : public EditorOverlay {
 public:
     ContourPage(Context& context, QWidget* parent);
-    // The description that the cursor (line from 0) stands in; otherwise a new contour there.
+    // The description that the cursor (line from 0) is in; otherwise a new contour there.
     void open(const QStringList& lines, int cursor, contour::Writing writing);
     void refresh() override;
     bool key(QKeyEvent* event) override;

@@ -206,7 +206,7 @@ QString CycleFormPage::hintText(int i) const {
     const forms::Value& v = now_->values[static_cast<std::size_t>(i)];
     const bool other_program = dialect_.speaks == forms::kFagor && f.address == "Q";
     if (f.unit != Unit::Label || other_program || !v.set || !v.expression.empty()) return {};
-    // the contour stands in the program Q
+    // the contour is in the program Q
     if (dialect_.speaks == forms::kFagor && now_->values.back().set) return {};
     const QRegularExpression block(
         QString("^\\s*(?:/\\d?\\s*)?N0*%1(?!\\d)").arg(static_cast<long>(v.number)),

@@ -15,7 +15,7 @@ forms::Dialect formDialect(const Live& live, unsigned channel, const QString& la
 class CycleFormPage : public EditorOverlay {
 public:
     CycleFormPage(Context& context, QWidget* parent);
-    // The program and where the cursor stands (line from 0). False: this language has no cycles.
+    // The program and where the cursor is (line from 0). False: this language has no cycles.
     bool open(const QStringList& lines, int cursor, const forms::Dialect& dialect);
     void refresh() override;
     bool key(QKeyEvent* event) override;
@@ -58,7 +58,7 @@ private:
     int cursor_ = 0;
     forms::Dialect dialect_;
     std::vector<const forms::Form*> list_;
-    // now_: the form; before_: what stands in the program
+    // now_: the form; before_: what is in the program
     std::optional<forms::CycleBlock> before_, now_;
     std::vector<forms::FieldFault> faults_;
 };

@@ -468,7 +468,7 @@ void EditorPage::layOut() {
 
 void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     if (over_) return over_->addKeys(keys);
-    bool runs = false;  // this very file is at work
+    bool runs = false;  // this very file is in use
     for (const unsigned channel : context_.live.channels()) {
         const auto state = static_cast<ChannelState>(context_.live.channel(channel).state);
         if (state != ChannelState::Running && state != ChannelState::Held &&

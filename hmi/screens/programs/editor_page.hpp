@@ -30,7 +30,7 @@ public:
     EditorPage(Context& context, QWidget* parent);
     ~EditorPage() override;
     // Read aside: what takes longer than a frame shows how far it is and can be stopped. False: it
-    // cannot be opened, as has been told.
+    // cannot be opened, as has been reported.
     bool open(const QString& file, const QString& language);
     // that part, with the cursor there
     bool open(const QString& file, const QString& language, qint64 at, int position);
@@ -60,7 +60,7 @@ public:
     void save();
     // The cycle at the cursor as a form, or the list of cycles; it lies over the text.
     void openForm();
-    // The contour whose description stands at the cursor, or a new one.
+    // The contour whose description is at the cursor, or a new one.
     void openContour();
     // for pictures: 0 a form, 1 the list of cycles, 2 the contour, 3 the text, with keys for a
     // finger
@@ -75,7 +75,7 @@ protected:
 private:
     struct Saved {
         FileOutcome outcome;
-        FilePart part;  // where it stands now
+        FilePart part;  // where it is now
     };
     void layOut();
     void check();

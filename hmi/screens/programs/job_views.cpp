@@ -19,7 +19,7 @@ constexpr qint64 kAlignEveryMs = 250;  // while the run goes on
 // there.
 unsigned lastToCome(const std::map<unsigned, RunChannel>& channels, unsigned waiting,
                     const RunWait& meeting) {
-    constexpr double kSame_s = 0.02;  // those who meet go on within some ticks
+    constexpr double kSame_s = 0.02;  // partners of a rendezvous go on within some ticks
     unsigned out = 0;
     double latest = meeting.from;
     for (const auto& [number, channel] : channels)
@@ -45,7 +45,7 @@ TimeLook spanLook(RunSpan::Kind kind) {
 
 }  // namespace
 
-// Anew when the run has told more; of a long program not with each frame.
+// Anew when the run has reported more; of a long program not with each frame.
 void Programs::alignJob() {
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
     if (alignedVersion_ == dry_.version() || (dry_.running() && now < alignAt_)) return;

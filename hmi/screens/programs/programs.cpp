@@ -78,7 +78,7 @@ Programs::Programs(Context& context)
         else
             composeTogether(w);
     };
-    // where what is selected lies: nobody looks for the job that runs
+    // where what is selected lies: the running job is found without a search
     for (const unsigned channel : context_.live.channels())
         if (const auto& programs = context_.live.view(channel).programs;
             context_.folder.isEmpty() && !programs.empty() && !programs[0].empty())
@@ -178,7 +178,7 @@ void Programs::takeSelected() {
 }
 
 // A job's zeros are no measured ones: they are entered when somebody asks for it twice, each by a
-// request of its own, with what stood there for the way back.
+// request of its own, with the old value for undo.
 std::optional<SoftKey> Programs::zerosKey() {
     const JobSheet* sheet = files_->sheet();
     if (!sheet || !context_.live.connected()) return std::nullopt;
@@ -246,7 +246,7 @@ void Programs::enterZeros(const std::vector<JobZero>& zeros) {
         context_.requests.set(
             zeroWords(one, one.wanted),
             [this, one, of = zerosOf_, count = zeros.size()](const Answer& answer) {
-                // a refusal is told; what was entered before it can be taken back
+                // a refusal is reported; what was entered before it can be taken back
                 if (!answer.ok || of != zerosOf_) return;
                 zeros_.push_back(one);
                 if (zeros_.size() == count)
@@ -256,7 +256,7 @@ void Programs::enterZeros(const std::vector<JobZero>& zeros) {
             });
 }
 
-// Only where the job's value still stands: what has been measured since stays.
+// Only where the job's value is still there: what has been measured since stays.
 void Programs::takeZerosBack() {
     QStringList stay;
     for (const JobZero& one : std::exchange(zeros_, {})) {
@@ -274,7 +274,7 @@ void Programs::takeZerosBack() {
         context_.tell(word("The zeros stand as before"), Told::Good);
 }
 
-// A print server that does not answer is left behind, and nobody is there any more to be told.
+// A print server that does not answer is left behind, and there is no one left to notify.
 Programs::~Programs() {
     for (QProcess* one : findChildren<QProcess*>()) {
         one->disconnect();
@@ -323,7 +323,7 @@ void Programs::takePrint() {
         lp->deleteLater();
     });
     connect(lp, &QProcess::errorOccurred, this, [this, lp, name](QProcess::ProcessError error) {
-        if (error != QProcess::FailedToStart) return;  // finished tells the others
+        if (error != QProcess::FailedToStart) return;  // finished notifies the others
         context_.tell(word("Saved: %1").arg(name), Told::Good);
         lp->deleteLater();
     });
@@ -403,7 +403,7 @@ void Programs::look(DryRun::How how) {
 void Programs::lookSaved() {
     if (!afterSave_ || editor_->saving()) return;
     const DryRun::How how = *std::exchange(afterSave_, std::nullopt);
-    // else it could not be written, as has been told
+    // else it could not be written, as has been reported
     if (page_ == Page::Edit && !editor_->changed()) look(how);
 }
 

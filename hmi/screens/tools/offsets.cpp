@@ -275,7 +275,7 @@ void Offsets::filter() {
     chooseRow(wanted_);
 }
 
-// Where it stands among those that are shown; if it is not, the next one is chosen, and what has
+// Where it is among those that are shown; if it is not, the next one is chosen, and what has
 // been typed is for no other.
 void Offsets::chooseRow(int row) {
     const auto here = std::lower_bound(rows_.begin(), rows_.end(), row);
@@ -832,7 +832,7 @@ void Offsets::askHistory() {
         true);
 }
 
-// What stands there now, whichever table is shown.
+// The present value, whichever table is shown.
 double Offsets::presentOf(const Value& value) const {
     if (!value.gone.empty()) return edgeOf(context_.live, value.edge) ? 1 : 0;
     if (value.ofEdge()) return edgeValue(context_.live, value.edge, value.dp);
@@ -844,7 +844,7 @@ double Offsets::presentOf(const Value& value) const {
 
 void Offsets::enter(bool added) { pad_->enter(added); }
 
-// The tool's tip stands at a measured place: geometry (with the wear that there is) follows from
+// The tool's tip is at a measured position: geometry (with the wear that there is) follows from
 // where the axis is.
 void Offsets::measure() {
     const auto value = chosen();
@@ -859,7 +859,7 @@ void Offsets::measure() {
         zero = context_.live.tableZero(
             context_.channel, static_cast<unsigned>(place),
             view.known ? view.picture.zero_row : static_cast<std::int32_t>(kZeroG54));
-    // Where the axis stands and what the wear is by then, the store knows best; which zero acts,
+    // Where the axis is and what the wear is by then, the store knows best; which zero acts,
     // the program.
     const char* const field = axis.role == PlaneRole::BasicX   ? "X"
                               : axis.role == PlaneRole::BasicY ? "Y"
@@ -877,7 +877,7 @@ void Offsets::measure() {
              [this, value = *value](const Answer& answer) { entered(value, answer); });
 }
 
-// What stands at the tool's tip is to be called so in this zero: its value follows from where the
+// The position of the tool's tip is to be called so in this zero: its value follows from where the
 // axis is.
 void Offsets::zeroHere() {
     const auto value = chosen();

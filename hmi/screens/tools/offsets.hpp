@@ -53,7 +53,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    // One value of a table: how it is called in a request, and where it stands.
+    // One value of a table: how it is called in a request, and where it is.
     struct Value {
         QString words;  // «offset L1 3 wear X»
         QString title;
@@ -70,7 +70,7 @@ private:
         bool wear() const { return ofEdge() ? is_edge_wear(dp) : words.contains(" wear "); }
         QString text(double held) const;
         QString unitText() const;
-        // Where it stands in the store: the row of the zeros, or the number of the offset and the
+        // Where it is in the store: the row of the zeros, or the number of the offset and the
         // letter of its field, wear in lower case.
         unsigned channel = 0;
         bool zero = false;

@@ -21,7 +21,7 @@
 namespace polyturn::hmi {
 namespace {
 
-// Where dark and bright meet, half way between the darkest and the brightest pixel: rows, then
+// Where dark and bright meet, half-way between the darkest and the brightest pixel: rows, then
 // columns, so that slopes of any angle count.
 std::vector<QPoint> outlineOf(const QImage& image) {
     std::vector<QPoint> out;
