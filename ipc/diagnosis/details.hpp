@@ -13,7 +13,8 @@
 namespace polyturn {
 
 struct DetailRow {
-    std::string_view in[4];  // in the order of Tongue; {0} to {3} are what stands in the text
+    std::string_view in[4];  // in the order of DisplayLanguage; {0} to {3} are what stands in the
+                             // text
 };
 std::span<const DetailRow> detail_rows();
 // Told in any of the languages.

@@ -68,7 +68,8 @@ std::optional<Retold> retell(std::string_view number, Dialect dialect, std::stri
         const auto alarm = static_cast<Alarm>(id);
         if (alarm_number(alarm, dialect) != number) continue;
         std::string parts[3];
-        // A process tells it in the machine's language, which may be another one than the reader's.
+        // A process reports it in the machine's language, which may be another one than the
+        // reader's.
         if (std::none_of(std::begin(kDisplayLanguages), std::end(kDisplayLanguages),
                          [&](DisplayLanguage told) {
                              return read_parts(alarm_text(alarm, told).text, english, parts);

@@ -31,12 +31,12 @@ DisplayLanguage display_language_of_environment();
 struct TranslatedAlarm {
     std::string_view text, remedy;  // empty: not translated
 };
-// As it stands in the catalogue, with {0} {1} {d}; English where there is no translation.
+// As it is in the catalogue, with {0} {1} {d}; English where there is no translation.
 TranslatedAlarm alarm_text(Alarm alarm, DisplayLanguage display_language);
 // Values and detail filled in.
 std::string text_in(const Diagnosis& diagnosis, DisplayLanguage display_language);
-// An English text with its number, as event logs have them, told in another language: text and
-// remedy. Nothing when no alarm of that number reads so.
+// An English text with its number, as event logs have them, translated into another language: text
+// and remedy. Nothing when no alarm of that number reads so.
 struct Retold {
     std::string text;
     std::string_view remedy;

@@ -1,8 +1,8 @@
-// A form and the blocks of a program: read from where the cursor stands, written so that only the
+// A form and the blocks of a program: read from the cursor's position, written so that only the
 // words change that have changed.
 //
 // Invariants
-//   I1  write(read(x)) == x: a form that nobody changes changes nothing.
+//   I1  write(read(x)) == x: a form that is not changed changes nothing.
 //   I2  read(write(values)) == values, to the decimals that the language writes.
 //   I3  Comments, block numbers, other words and all other lines stay byte for byte.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace polyturn::forms {
 
-// What stands in a field. An expression (#100, [#1*2], P5) stays text.
+// The content of a field. An expression (#100, [#1*2], P5) stays text.
 struct Value {
     bool set = false;
     double number = 0.0;
@@ -33,7 +33,7 @@ struct CycleBlock {
 // The cycle at a line, or that whose second (first) block stands there.
 std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int line,
                                      const Dialect& dialect);
-// What a form proposes where nothing stands yet.
+// What a form proposes for an empty field.
 CycleBlock new_cycle(const Form& form, const Dialect& dialect = {});
 
 struct FieldFault {

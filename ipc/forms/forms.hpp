@@ -136,7 +136,7 @@ struct Field {
     double low, high;
     std::string_view preset;   // what a new form proposes; empty: nothing
     std::string_view meaning;  // English; the HMI's languages have it too
-    // address of the same thing as a distance from where the tool stands (U beside X)
+    // address of the same thing as a distance from the tool's position (U beside X)
     std::string_view increment = {};
     // a part of a word: P021060 of G76 is three fields of two digits
     std::uint8_t digit = 0, digits = 0;
@@ -168,7 +168,7 @@ struct Dialect {
     std::uint16_t speaks = 0;   // one of Speaks; 0: this language has no cycles
     bool point_needed = false;  // X40 is 40 least increments, X40. is 40 mm
     double increment = 0.001;   // the least one, mm or inches
-    // lengths are inches where the cycle stands: every number is as it is written
+    // lengths are inches where the cycle is: every number is as it is written
     bool inch = false;
     // one decimal more
     void count_inches() {

@@ -1,4 +1,4 @@
-// Balance cut of two channels: what channel and kernel say to each other about it.
+// Balance cut of two channels: the exchange between channel and kernel.
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// What the fields of a Command mean, kind by kind. Written by the supervisor (press, set,
+// The meaning of a Command's fields, kind by kind. Written by the supervisor (press, set,
 // scenario), carried out by the kernel at the start of Command::tick. channel, axis, spindle count
 // from 1; channel 0 means all that exist.
 //

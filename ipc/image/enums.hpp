@@ -15,18 +15,18 @@ enum class RecordKind : std::uint8_t {
     Aux,    // M, S or T to the PLC; done when the PLC has finished it
     // code: SpindleModeCode; value: 1/min or m/min or degrees; shape[0] limit 1/min (0 none),
     // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis; Position:
-    // plane[0] SpindleApproach, shape[2] way in degrees when Incremental (value is where it leads),
-    // mask 1: its loop must be closed (no M code that closes it follows); Couple: `spindle` leads,
-    // axis[0] follows (kMaxAxes + spindle from 0, or an axis): shape[0] of its turns for shape[1]
-    // turns of the master, shape[2] phase in degrees (NaN: as it comes), mask 1: gear (N1800),
-    // axis[1] the axis of the helix (kNoHelix none), shape[3] degrees a millimetre of it, value
-    // 1/min of its own over that; Uncouple: axis[0], mask 4: CN_SSEL is `spindle`. Rpm, mask 1: of
-    // a follower, for when it is free Watch: value seconds, shape[0] % to begin with, shape[2] %
-    // and shape[3] 1/min; NaN: the parameter's
+    // plane[0] SpindleApproach, shape[2] travel in degrees when Incremental (value is where it
+    // leads), mask 1: its loop must be closed (no M code that closes it follows); Couple: `spindle`
+    // leads, axis[0] follows (kMaxAxes + spindle from 0, or an axis): shape[0] of its turns for
+    // shape[1] turns of the master, shape[2] phase in degrees (NaN: as it comes), mask 1: gear
+    // (N1800), axis[1] the axis of the helix (kNoHelix none), shape[3] degrees a millimetre of it,
+    // value 1/min of its own over that; Uncouple: axis[0], mask 4: CN_SSEL is `spindle`. Rpm, mask
+    // 1: of a follower, for when it is free Watch: value seconds, shape[0] % to begin with,
+    // shape[2] % and shape[3] 1/min; NaN: the parameter's
     SpindleMode,
     SpindleSpeed,  // S word: value 1/min for `spindle`; what it turns like is the PLC's SP_ROT
     Wait,          // code, mask; flags kFlying
-    // the channel stands until this is executed; the kernel answers with BarrierReached
+    // the channel is stopped until this is executed; the kernel answers with BarrierReached
     Barrier,
     Variable,  // text names it, value; NaN empties it
     // a store write in path order: code OffsetTable, mask number (Work: row), plane[0] OffsetField
@@ -48,7 +48,7 @@ enum class RecordKind : std::uint8_t {
     // the drive of axis[0] may give only `value` thousandths of its torque, 0 all; shape[0] window
     // of the fixed stop in mm (0: PT_STOP_WINDOW)
     Torque,
-    // stands until the axes axis[0..axis_count) that have no reference point have found it
+    // waits until the axes axis[0..axis_count) that have no reference point have found it
     Home,
     // a value of a tool in path order: mask data number, plane[0] edge, value; code: index of the
     // tool field (of an edge: tool parameter DP); text of a text field
@@ -74,14 +74,14 @@ enum RecordFlag : std::uint32_t {
     kThreadEnd = 1u << 10,  // last record of a thread: it may start once this one is in the ring
     kSkipMove = 1u << 11,   // ends when the skip input comes (a dwell too)
     kReference = 1u << 12,  // reported as a move of kind reference
-    // nobody waits for what it causes: a spindle that is positioned, an M code that is finished
+    // its effect is not waited for: a spindle that is positioned, an M code that is finished
     // later
     kPositioning = 1u << 13,
     kStopMustCome = 1u << 14,  // kFixedStop: the end of the move without a stop is an alarm
     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in
     // revolutions
     kTapping = 1u << 16,
-    kTapOut = 1u << 17,       // and this is the way out of the hole
+    kTapOut = 1u << 17,       // and this is the retract from the hole
     kMoreBefore = 1u << 19,   // a piece of a curve: its move has begun with an earlier one
     kMoreBehind = 1u << 20,   // and ends with a later one
     kSkipRelease = 1u << 21,  // a skip move that ends when the input goes
@@ -144,7 +144,7 @@ enum class StopReason : std::int32_t {
     Death,
     Restart,    // before the approach of a restart
     FirstPart,  // before a tool, in first-part mode
-    // no further back, or at the place where the way back began
+    // no further back, or at the position where retrace began
     Retrace,
     // until the operator has answered what
     // ChannelSegment::dialogue asks
@@ -179,7 +179,7 @@ enum class ChannelEventKind : std::uint32_t {
     // the interrupt signal came and the path rests: epoch raised; value: serial of the first block
     // of which not everything is executed (0 none), record: 1 when it has begun
     Interrupt,
-    // as CycleStart, but what stands before a block is interpreted without moving: text `N<block>`,
+    // as CycleStart, but what precedes a block is interpreted without moving: text `N<block>`,
     // record: the set of channels that restart together
     Restart,
     // the path is held: would the channel go back? value and record as Resume. Answered in
@@ -210,8 +210,8 @@ enum class KernelEventKind : std::uint32_t {
     Signal,      // a watched signal changed: code slot, line 0 NC / 1 PLC, value
     Message,     // text for the operator; code Alarm of severity message or warning
     Alarm,       // code Alarm, text detail, value, line
-    Stopped,     // channel stands: code StopReason
-    Idle,        // nothing can go on and no command is due: virtual time stands
+    Stopped,     // channel is stopped: code StopReason
+    Idle,        // nothing can go on and no command is due: virtual time is stopped
     // a command that the supervisor must carry out itself (kill, stop): code command sequence
     ActionDue,
     Tick,          // supervision: the clock
@@ -267,7 +267,7 @@ enum class CommandKind : std::uint32_t {
     ReleaseStop,       // the emergency stop button is turned back
     RapidKey,
     WarmUp,
-    Superpose,  // a handwheel adds its way to the axes of a running program
+    Superpose,  // a handwheel adds its travel to the axes of a running program
     Scope,      // what a trace of the scope records
     DialogueValue,
     DialogueKey,  // answers to the dialogue of a program
@@ -310,7 +310,7 @@ enum PictureFlag : std::uint32_t {
     kPictureNoNose = 1u << 3
 };
 
-// From power-on to ready (docs/design/power-on-to-ready.md); the same way back after a fault.
+// From power-on to ready (docs/design/power-on-to-ready.md); the same sequence back after a fault.
 enum class MachineStep : std::uint32_t {
     EmergencyStop = 0,
     Off,

@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kInterruptByWires = 1u << 3;
 
 // In the record of an Interrupt event: the signal has come while a block runs that is driven to its
 // end first; value: the first block behind it. The channel runs the macro statements of its
-// interrupt program until there, answers as to a question, and is told again where the path stands.
-// What they bring about carries kAtOnce and is executed as soon as it is seen.
+// interrupt program until there, answers as to a question, and is notified again of the path's
+// position. What they bring about carries kAtOnce and is executed as soon as it is seen.
 inline constexpr std::uint64_t kInterruptAhead = 1u << 16;
 inline constexpr std::uint32_t kAtOnce = 1u << 23;  // flag of a record
 

@@ -1,4 +1,4 @@
-// What a Beside record means (its `code`): one move beside the path, or a step of the program that
+// The `code` of a Beside record: one asynchronous move, or a step of the program that
 // the axis runs by itself.
 //
 //   Plain      axis[0] goes to end[0]; who needs it waits with an Await record
@@ -6,7 +6,7 @@
 //   Room       behind each kStepsAtOnce steps of it, and as Begin before them: the path waits until
 //              the axis has room for more
 //   Move       like Plain, behind the steps before it
-//   MoveBy     likewise; end is a way from where the axis stood when its program began
+//   MoveBy     likewise; end is a travel from the axis' position when its program began
 //   Dwell      feed: seconds
 //   Function   mask: letter (M, S, T), value: number; handed to the PLC at the axis (AN_PAXFSTR)
 #pragma once

@@ -60,7 +60,7 @@ struct ChannelSegment {
     alignas(64) std::atomic<std::uint64_t> picture_first{0};
     // BlockPicture::serial of each slot, side by side: they are searched many times a second
     std::array<std::atomic<std::uint64_t>, kPictures> picture_serials{};
-    // nobody consumes them, the oldest are written over: ipc/image/block_pictures.hpp
+    // they are not consumed, the oldest are written over: ipc/image/block_pictures.hpp
     RingHead<BlockPicture, kPictures> pictures;
     // rung after pushes and when quiet; the kernel waits on it in virtual time
     Doorbell bell;
@@ -93,7 +93,7 @@ struct KernelSegment {
     // the PLC's signals as they act (forced ones included)
     Snapshot<PlcOutputs> plc_seen;
     Snapshot<ScopeChoice> scope_choice;
-    // nobody consumes it, the oldest samples are written over
+    // it is not consumed, the oldest samples are written over
     RingHead<ScopeSample, kScopeRing> scope;
     Snapshot<PlcFastInputs> plc_fast;  // each tick, while the PLC has a fast task
     Doorbell plc_bell, supervisor_bell, store_bell;
@@ -125,7 +125,8 @@ struct StoreSegment {
     Snapshot<ToolEdgeTable> edges;
     Snapshot<ToolPlaceTable> places;
     Snapshot<UserTable> users;
-    // tail: KernelSegment::tool_tail; an answer stands before persist_tail has passed its question
+    // tail: KernelSegment::tool_tail; an answer is there before persist_tail has passed its
+    // question
     RingHead<ToolAnswer, 64> tool_answers;
     RingHead<ParamChange, 8192> param_changes;  // tail: KernelSegment::param_tail
     // consumer of KernelSegment::persist; before it all is applied

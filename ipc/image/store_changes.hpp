@@ -1,4 +1,4 @@
-// What the store tells the kernel without having been asked: ToolAnswer::alarm of a message to the
+// Change notifications of the store to the kernel: ToolAnswer::alarm of a message to the
 // operator. `tool` is its number (Alarm), `text` what it names.
 #pragma once
 #include <cstdint>
@@ -7,7 +7,8 @@ namespace polyturn {
 
 inline constexpr std::int32_t kStoreMessage = -3;
 // Likewise, and no production from now on, because data were lost (kStoreUnfit); the store is whole
-// again or what is left was confirmed (kStoreWhole). Whoever attaches later is told again.
+// again or what is left was confirmed (kStoreWhole). A process that attaches later is notified
+// again.
 inline constexpr std::int32_t kStoreUnfit = -4, kStoreWhole = -5;
 
 }  // namespace polyturn

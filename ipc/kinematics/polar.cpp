@@ -45,7 +45,7 @@ double turned_about_pole(PlanePoint c, double radius, double radius_end, double 
     const double quarter = std::numbers::pi / 2, sense = sweep < 0 ? -1.0 : 1.0,
                  whole = std::abs(sweep);
     const double towards = std::atan2(-c.v, -c.u);
-    // a border, counted along the way
+    // a border, counted along the line
     const double first = std::remainder((towards - start_angle) * sense, quarter);
     const auto direction = [&](double way) {
         const double angle = start_angle + sense * way,

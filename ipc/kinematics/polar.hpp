@@ -19,7 +19,7 @@ double turn_through_pole(const Kinematics& k, double turn, const RoleValues& end
 
 struct NearestToPole {
     double distance = 0;
-    double share = 0;  // of the way from a to b, 0 to 1
+    double share = 0;  // of the line from a to b, 0 to 1
 };
 NearestToPole nearest_to_pole(PlanePoint a, PlanePoint b) noexcept;
 // Of an arc about c: its least distance from the pole.

@@ -1,4 +1,4 @@
-// The tool that stands in the turret or spindle as the PLC tells it: what is in work now, whatever
+// The tool in work as the PLC reports it: the one in the turret or spindle now, whatever
 // a program has read ahead.
 #pragma once
 #include <cstdint>

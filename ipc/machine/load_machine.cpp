@@ -70,7 +70,7 @@ LoadedMachine load_machine(const MachineSource& source) {
     LoadedMachine loaded = load_machine_file(source.machine);
     // Bodies that cannot be are refused here, for the kernel would guard against others than the
     // machine has. They are judged by the machine's own file: an axis that one run takes away
-    // leaves its place in the room empty.
+    // leaves its place in the work area empty.
     if (loaded.ok())
         (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
     apply_overrides(source, *loaded.table, loaded.diagnoses);

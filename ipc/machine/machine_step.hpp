@@ -1,4 +1,4 @@
-// The way from power-on to ready, one step after the other, and the same way back after a fault:
+// The sequence from power-on to ready, step by step, and the same sequence back after a fault:
 // what each step is called, what the operator reads, what he does next. Kernel events and `polyturn
 // status` say it with these words.
 #pragma once

@@ -10,7 +10,7 @@ namespace polyturn {
 
 struct StartWords {
     std::string_view name;  // for tests and documents
-    std::string_view text;  // what is missing; of an axis or spindle, its name stands before it
+    std::string_view text;  // what is missing; of an axis or spindle, its name precedes it
     std::string_view remedy;
 };
 

@@ -1,5 +1,5 @@
-// Why a channel stands, as the log of stops names it: written by the supervisor, kept by the store,
-// told by the screens.
+// Why a channel is stopped, as the log of stops names it: written by the supervisor, kept by the
+// store, shown by the screens.
 #pragma once
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Where a controller listens for requests, and how whoever asks makes sure that it is the
+// The socket on which a controller listens for requests, and how a client makes sure that it is the
 // controller that he speaks to: passwords go through this socket.
 //
 // The socket NAME.sock stands in a folder that belongs to the controller's user and that nobody
@@ -8,7 +8,7 @@
 // take: without it the controller runs all the same.
 //
 // Whoever asks looks who listens (SO_PEERCRED) before he sends anything: only who is believed
-// (trusted_owner.hpp) is told anything. Everybody else is passed over, as if he did not listen.
+// (trusted_owner.hpp) gets any data. Everybody else is passed over, as if he did not listen.
 #pragma once
 #include <string>
 #include <string_view>
@@ -39,11 +39,11 @@ private:
     bool foreign_ = false;
 };
 
-// Connected to the controller of this name. SegmentMissing: nobody listens; InstanceForeign:
-// somebody does who must not be told anything.
+// Connected to the controller of this name. SegmentMissing: no listener; InstanceForeign:
+// a listener that must not get any data.
 Result<int> connect_to_controller(const std::string& instance, bool blocking);
 
-// Files of sockets at which nobody listens any more, of this user's folders; they are removed.
+// Files of sockets without a listener, of this user's folders; they are removed.
 std::vector<std::string> remove_dead_doors();
 
 }  // namespace polyturn

@@ -20,7 +20,7 @@ constexpr auto kTimeout = std::chrono::seconds(30);
 
 int open_process(int pid) { return static_cast<int>(syscall(SYS_pidfd_open, pid, 0)); }
 
-// 0: nobody is.
+// 0: none is.
 int supervisor_of_this() {
     const char* const word = std::getenv(kSupervisorWord);
     return word ? std::atoi(word) : 0;

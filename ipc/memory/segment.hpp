@@ -63,8 +63,8 @@ public:
         if (auto shown = own.raw_.reveal(); !shown) return shown.diagnosis();
         return own;
     }
-    // A writer that was killed is followed by another in the same segment, so that nobody has to
-    // attach again: rings and snapshots are whole at any moment. Only for whoever knows that the
+    // A writer that was killed is followed by another in the same segment, so that no process has
+    // to attach again: rings and snapshots are whole at any moment. Only for whoever knows that the
     // predecessor is dead, and what it may have begun.
     static Result<OwnSegment> adopt(std::string_view instance, std::size_t number = 0) {
         auto raw = RawSegment::adopt(segment_name(instance, Layout::kKind, number), sizeof(Layout));
@@ -89,7 +89,7 @@ private:
 template <class Layout>
 class PeerSegment {
 public:
-    // Waits until the writer has published it, at most `patience`.
+    // Waits until the writer has published it, at most the timeout `patience`.
     static Result<PeerSegment> attach(
         std::string_view instance, std::size_t number = 0,
         std::chrono::milliseconds timeout = std::chrono::milliseconds(0));

@@ -91,7 +91,7 @@ private:
 template <class Half>
 class RingConsumer {
 public:
-    // A successor goes on where `tail` stands.
+    // A successor goes on at `tail`.
     RingConsumer(const Half& half, RingTail& tail)
         // P4: own tail
         : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_relaxed)) {}

@@ -1,5 +1,5 @@
-// Where a path record is at a length s along it. Pure functions, used by the channel that makes the
-// records and by the kernel that drives them: both must mean the same curve.
+// The position on a path record at a length s along it. Pure functions, used by the channel that
+// makes the records and by the kernel that drives them: both must mean the same curve.
 //
 // The slots of a record are its moving machine axes; positions are machine coordinates (mm with X
 // as a radius, degrees). s runs from 0 to record.length. For lines and arcs s is true arc length
@@ -24,7 +24,7 @@ struct PathDerivatives {
 };
 void derivatives_at(const PathRecord& record, double s, PathDerivatives& out) noexcept;
 
-// Layout of PathRecord::shape. A curve: coefficient k of slot i stands at kCoefficients + 6 i + k,
+// Layout of PathRecord::shape. A curve: coefficient k of slot i is at kCoefficients + 6 i + k,
 // those of u(s) from kParameter. An arc whose radius changes (kRadiusEnd neither 0 nor kRadius)
 // turns by the fraction f(s) of its sweep, its radius goes from kRadius to kRadiusEnd in the same
 // proportion, and so do the other slots; kParameter holds f(s). Without coefficients there

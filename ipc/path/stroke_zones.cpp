@@ -133,7 +133,7 @@ double free_part(const StrokeZones& zones, const double* from, const double* to,
     }
     for (unsigned box = 0; box < 2; ++box) {
         if (!box_exists(zones, box)) continue;
-        // The part of the way in which every axis lies inside: an intersection of intervals.
+        // The part of the line in which every axis lies inside: an intersection of intervals.
         double enter = -1.0, leave = 1.0;
         unsigned door = 0;
         bool missed = false, positive = true;
@@ -154,7 +154,7 @@ double free_part(const StrokeZones& zones, const double* from, const double* to,
             }
             leave = std::min(leave, out);
         }
-        // Who stands inside already (the box was switched on around it) may leave it.
+        // An axis that is inside already (the box was switched on around it) may leave it.
         if (missed || enter < 0 || enter >= leave || enter >= 1.0) continue;
         nearer(enter, door,
                positive ? zones.axes[door].box[box].low : zones.axes[door].box[box].high, positive);

@@ -82,8 +82,8 @@ inline constexpr double kOnLimit = 1e-6;  // mm: still on the limit
 [[nodiscard]] bool forbidden(const StrokeZones& zones, const double* position, std::uint32_t moved,
                              StrokeFault& fault) noexcept;
 
-// A straight way from `from` to `to`: the part of it (0 to 1) that can be driven before it would
-// enter what is forbidden or go further out; 1 when nothing is in the way.
+// A straight line from `from` to `to`: the part of it (0 to 1) that can be driven before it would
+// enter what is forbidden or go further out; 1 when nothing is forbidden on it.
 [[nodiscard]] double free_part(const StrokeZones& zones, const double* from, const double* to,
                                StrokeFault& fault) noexcept;
 

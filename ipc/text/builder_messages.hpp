@@ -1,5 +1,5 @@
-// What the numbers in PLC_ALARM and PLC_NOTE say: the machine builder's messages, each with its
-// text in four languages, its cause and its remedy. The built-in PLC brings its own; a file
+// The meaning of the numbers in PLC_ALARM and PLC_NOTE: the machine builder's messages, each with
+// its text in four languages, its cause and its remedy. The built-in PLC brings its own; a file
 // messages.csv beside the machine adds to them and replaces them, one message a line:
 //
 //   number,en,ru,cs,hu,cause,remedy
@@ -31,7 +31,7 @@ struct BuilderMessage {
 class BuilderMessages {
 public:
     BuilderMessages();  // those of the built-in PLC
-    // A file that is not there adds nothing; what is wrong in it is told line by line, and the
+    // A file that is not there adds nothing; faults in it are reported line by line, and the
     // other lines count.
     std::vector<Diagnosis> add_file(const std::string& path);
     std::vector<Diagnosis> add(std::string_view content, const std::string& name);

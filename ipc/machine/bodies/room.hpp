@@ -1,9 +1,10 @@
-// Where the parts of a machine stand in one room: axes, chucks, tailstocks and turrets, so that
-// channels can be drawn and guarded together. From machine.toml beside machine.params; a machine
-// without it gets a room in which each channel's X and Z point the usual way.
+// The machine model: where the parts of a machine are in one work area: axes, chucks, tailstocks
+// and turrets, so that channels can be drawn and guarded together. From machine.toml beside
+// machine.params; a machine without it gets a model in which each channel's X and Z point the usual
+// way.
 //
-// The room: Z along the main spindle, away from its chuck; X up. All in true millimetres, X as a
-// radius.
+// The work area: Z along the main spindle, away from its chuck; X up. All in true millimetres, X as
+// a radius.
 //
 //   [axis.A3]                          a point at machine coordinate p of the axis lies at origin +
 //                                      p * direction
@@ -35,7 +36,7 @@ struct RoomVector {
     double x = 0.0, y = 0.0, z = 0.0;
 };
 
-// Where something stands and which way it looks, or its positive travel goes (a unit vector).
+// The position of a part and the direction it faces, or its positive travel goes (a unit vector).
 struct RoomPlace {
     RoomVector origin, direction;
 };
@@ -46,7 +47,7 @@ struct RoomBox {
 
 struct RoomChuck : RoomPlace {
     double diameter = 0.0, length = 0.0, jaws = 0.0;
-    unsigned carried_by = 0;  // axis; 0: it stands
+    unsigned carried_by = 0;  // axis; 0: it is fixed
 };
 struct RoomTurret : RoomPlace {
     unsigned stations = 12;
@@ -67,13 +68,13 @@ struct Room {
     std::map<unsigned, RoomTurret> turrets;        // by channel number
     std::map<unsigned, RoomTailstock> tailstocks;  // by number
 
-    // The point where the tool carrier of a channel stands when its axes have these machine
+    // The position of a channel's tool carrier when its axes have these machine
     // coordinates: the sum over its linear axes, in the order of ChannelConfig::axes.
     RoomVector point(const ChannelConfig& channel, const MachineConfig& machine,
                      const double* coordinates) const;
 };
 
-// The room of a machine that has no machine.toml: X and Z axes point along the room's, the X of
+// The model of a machine that has no machine.toml: X and Z axes point along the model's, the X of
 // every second channel down.
 Room default_room(const MachineConfig& machine);
 // default_room() with what the text says on top; everything wrong with it goes to `diagnoses`.

@@ -11,7 +11,7 @@ namespace p = params;
 namespace {
 constexpr double kBehindFace = 1000;  // mm of spindle head behind a chuck's face
 constexpr double kMmPerInch = 25.4;
-// mm: half of a carrier of which nobody has said how large it is
+// mm: half of a carrier whose size is not given
 constexpr double kPoint = 1e-6;
 }  // namespace
 
@@ -78,7 +78,7 @@ void RoomBodies::add_tool_carrier(unsigned l, bool guarded, const Room& room, co
     for (unsigned a = 1; a <= kMaxAxes; ++a)
         if (facts.axis_channel[a - 1] == l && !facts.rotary[a - 1])
             add_carrier(body, room, facts, a);
-    // N2002, N2003 move the shape: in the room, or along the carrier's own axes.
+    // N2002, N2003 move the shape: in the work area, or along the carrier's own axes.
     double dx = length(p::n2002_tool_holder_position_x),
            dz = length(p::n2003_tool_holder_position_z);
     if (p::get(t, p::n2001_coord_type, l) == 1)
@@ -119,8 +119,8 @@ void RoomBodies::add_tool_carrier(unsigned l, bool guarded, const Room& room, co
     if (body.count == 0) (void)add({-kPoint, kPoint, -kPoint, kPoint}, 0);
 }
 
-// Barriers of the channel, in machine coordinates of its X and Z: into the room by where these axes
-// point.
+// Barriers of the channel, in machine coordinates of its X and Z: into the work area by where these
+// axes point.
 void RoomBodies::add_barriers(unsigned l, const Room& room, const p::Table& t,
                               const BodyFacts& facts, double unit) noexcept {
     const auto length = [&](auto handle) { return p::get(t, handle, l) * unit; };
@@ -212,7 +212,7 @@ void RoomBodies::configure(const Room& room, const p::Table& t, const BodyFacts&
         if (chuck.carried_by) {
             const Vector stood = body.origin;
             add_carrier(body, room, facts, chuck.carried_by);
-            body.origin = stood;  // its place is told for machine coordinate 0 of that axis
+            body.origin = stood;  // its position is given for machine coordinate 0 of that axis
         }
     }
     for (const auto& [n, tail] : room.tailstocks) {
@@ -265,7 +265,7 @@ RoomBodies::Box RoomBodies::turned(const Body& body, const Box& own, double step
 bool RoomBodies::placed(const Body& body, const Box& own, Vector at, const Turret& turret,
                         Box& out) noexcept {
     Box box = own;
-    // The called tool too is anywhere on its circle until the turret stands.
+    // The called tool too is anywhere on its circle until the turret is at standstill.
     if (own.station && body.channel &&
         ((turret.turns && body.stations != 0) || own.station != turret.station)) {
         if (body.stations == 0) return false;

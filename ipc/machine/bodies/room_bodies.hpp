@@ -3,7 +3,7 @@
 // plane of X and Z. Protection (kernel/protection/guard.hpp) guards them, the HMI draws them; both
 // take them from here, so that the picture is what is guarded.
 //
-// A turret whose room says where its axis is (stations, reach, direction) carries the tools of its
+// A turret whose model says where its axis is (stations, reach, direction) carries the tools of its
 // other stations along: they stand turned about that axis, seen from the side, and while the turret
 // turns each of them is anywhere on its circle.
 //
@@ -62,7 +62,7 @@ public:
         bool in_z = true, by_hand = true, without_tool = true;
         // of a turret whose axis is known; 0: tools count only while they are in work
         std::uint32_t stations = 0;
-        bool looks_along_x = true;  // its tools point along X of the room, else along Z
+        bool looks_along_x = true;  // its tools point along X of the work area, else along Z
         // the sign of that, and where the axis is, from the carrier's point
         double outwards = 1, axis_at = 0;
         double reach = 0;  // from there to the seats
@@ -71,10 +71,10 @@ public:
     struct Turret {
         std::uint32_t station = 0;    // in work
         std::uint32_t stands_at = 1;  // that the turret shows
-        // it is on its way: its tools are anywhere on their circle
+        // it is turning: its tools are anywhere on their circle
         bool turns = false;
         bool tip_known = false;
-        // of the tool in work, from the carrier's point, in the room
+        // of the tool in work, from the carrier's point, in the work area
         Vector tip;
     };
 
@@ -84,8 +84,8 @@ public:
                    const ToolShapes& shapes, bool all) noexcept;
     // Where a body's point is at these positions of the machine's axes (from 0; mm, X as a radius).
     static Vector point(const Body& body, const double* axes) noexcept;
-    // A box as it stands now; false: it does not count (a tool that is not in work, of a turret
-    // nobody knows the axis of).
+    // A box at its present position; false: it does not count (a tool that is not in work, of a
+    // turret whose axis is not known).
     static bool placed(const Body& body, const Box& own, Vector at, const Turret& turret,
                        Box& out) noexcept;
     // Of a station that is `steps` away from the one in work; anywhere: on its whole circle.

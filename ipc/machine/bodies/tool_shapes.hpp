@@ -1,4 +1,4 @@
-// Outlines of the tools that stand in the turrets: read from the store's table, then plain numbers.
+// Outlines of the tools in the turrets: read from the store's table, then plain numbers.
 // Protection guards them, the HMI draws them.
 #pragma once
 #include <array>
@@ -10,7 +10,7 @@ namespace polyturn {
 
 struct ToolShape {
     std::uint32_t channel = 0, station = 0;  // from 1
-    // about the tool carrier's point, X as a radius, in the room
+    // about the tool carrier's point, X as a radius, in the work area
     double x_low = 0, x_high = 0, z_low = 0, z_high = 0;
 };
 struct ToolShapes {

@@ -1,6 +1,6 @@
-// What a job (cli.md 6) brings beside its programs, against what the controller has: its zeros, the
-// offsets of its setup file, its machine. Selecting a job loads programs; zeros and offsets that
-// are entered stand, because somebody has measured them where the part is
+// What a job (cli.md 6) brings besides its programs, against what the controller has: its zeros,
+// the offsets of its setup file, its machine. Selecting a job loads programs; zeros and offsets
+// that are entered stand, because somebody has measured them where the part is
 // (kernel/supervisor/check/job_plan.cpp decides the same for --like). So a difference is told to
 // the operator, who enters the job's values or keeps his own.
 #pragma once
