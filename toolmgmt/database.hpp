@@ -33,7 +33,7 @@ class Database {
 public:
     static constexpr const char* kFile = "store.sqlite";
 
-    // What was promised and is not there.
+    // What was acknowledged and is not there.
     struct Condition {
         // StoreLost, StoreDamaged: no production until somebody has restored a backup or confirmed
         std::optional<Diagnosis> unfit;
@@ -96,20 +96,20 @@ public:
     // ?1 about, ?2 and ?3 before, ?4 rows to look at
     static std::string history_query(const HistoryOf& of);
 
-    // A time in which a channel stood. Its begin and its channel name it: told again, it is
+    // A stop of a channel. Its begin and its channel name it: told again, it is
     // replaced.
     struct Stop {
         std::string utc;  // of its begin
         int channel = 0;
         std::string cause, number, detail, program;
         int line = 0;
-        double seconds = 0;  // NaN: not over, or nobody saw its end
+        double seconds = 0;  // NaN: not over, or its end was not seen
     };
     Result<void> note_stop(const Stop& stop);
     Result<std::vector<Stop>> stops(std::string_view since, std::int64_t most);  // newest first
 
-    // Alarms and warnings as the event log tells them (JSON), the newest hundred thousand. They
-    // outlast the controller that told them.
+    // Alarms and warnings as the event log has them (JSON), the newest hundred thousand. They
+    // outlast the controller that reported them.
     struct AlarmEvent {
         std::int64_t id = 0;
         std::string utc, event;
@@ -120,7 +120,7 @@ public:
                                            std::int64_t most);
 
     // A consistent copy of the whole file with the bytes of other files beside it, on disk when it
-    // returns well. Written under another name and renamed, so that a backup that stands there is a
+    // returns well. Written under another name and renamed, so that an existing backup is a
     // whole one.
     struct File {
         std::string name, path, bytes;  // name: what it is; path: where it goes back to

@@ -1,4 +1,4 @@
-// How a store is opened: what was promised is compared with what is there, and what a killed
+// How a store is opened: what was acknowledged is compared with what is there, and what a killed
 // predecessor wrote is brought to the disk, before anything is read.
 #include <fcntl.h>
 #include <sys/file.h>
@@ -21,8 +21,8 @@ namespace polyturn::toolmgmt {
 namespace fs = std::filesystem;
 namespace {
 
-// One owner: with an exclusive lock nobody else can write, and the log needs no shared memory of
-// its own. The log is folded in by Parts::fold() only, which writes the sums of the pages first.
+// One owner: with an exclusive lock no other process can write, and the log needs no shared memory
+// of its own. The log is folded in by Parts::fold() only, which writes the sums of the pages first.
 constexpr const char* kSettings =
     "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=0; PRAGMA trusted_schema=OFF;";
 
@@ -340,7 +340,7 @@ Result<Database> Database::open(const std::string& folder) {
                                      : condition.had_users && !any_users(parts->db);
         if (witnessed) parts->store = found.promised.store;
     }
-    // A new store, one of a version that promised nothing, one that was killed between its first
+    // A new store, one of a version without acknowledgements, one that was killed between its first
     // sums and its first witness.
     parts->folds = found.sums_state == PageSums::State::Good;
     if (!parts->folds || (found.witness == WitnessFile::State::Missing && !condition.unfit))

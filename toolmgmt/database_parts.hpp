@@ -19,7 +19,7 @@ struct Database::Parts {
     sqlite3* db = nullptr;
     std::string path, folder;
     OpenFile lock;
-    std::optional<WitnessFile> witness;  // nothing: a copy in memory promises nothing
+    std::optional<WitnessFile> witness;  // nothing: a copy in memory acknowledges nothing
     PageSums sums;
     std::uint64_t store = 0, commits = 0;  // as the file's table «promise» has them
     int log_frames = 0;                    // in the log, not in the main file
@@ -49,7 +49,7 @@ struct Database::Parts {
     Result<void> seal(Transaction& transaction, bool users_changed = false);
     // Brings the log into the main file.
     Result<void> fold();
-    // The first promise of a store: sums of all pages, then the witness.
+    // The first acknowledgement of a store: sums of all pages, then the witness.
     Result<void> begin_promise();
     bool read_promise(bool& had_users);
     Result<void> note_unfit();

@@ -36,7 +36,7 @@ constexpr std::array kSteps = {
                          PRIMARY KEY(kind, scope, number, field)) WITHOUT ROWID;
     CREATE INDEX history_utc ON history(utc);
     )sql",
-    // When channels stood and why; seconds NULL: not over yet, or nobody saw its end.
+    // When channels were stopped and why; seconds NULL: not over yet, or its end was not seen.
     R"sql(
     CREATE TABLE IF NOT EXISTS stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
                        PRIMARY KEY(utc, channel)) WITHOUT ROWID;

@@ -94,7 +94,7 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
     answer_what_was_begun();
 }
 
-// A predecessor that died between taking a request and its answer: whoever waits for it hears that.
+// A predecessor that died between taking a request and its answer: its waiter is notified.
 void Service::answer_what_was_begun() {
     StoreSegment& own = image_.segment();
     // P4: own words
@@ -272,7 +272,7 @@ bool Service::take_persist() {
         }
         refresh_machine(applied->changes);
         push_parameter_changes(applied->changes);
-        // What the kernel counts itself is no news to it.
+        // What the kernel counts itself needs no change notification to it.
         if (const auto kind = static_cast<StoreRequestKind>(request.kind);
             kind != StoreRequestKind::ToolLife && kind != StoreRequestKind::ToolInPlace &&
             kind != StoreRequestKind::ToolChanged)
@@ -370,8 +370,8 @@ bool Service::take_requests() {
     }
 }
 
-// The slot that is filled next belongs to nobody else: it says what is being worked on, to whoever
-// follows in this segment.
+// The slot that is filled next belongs to no other process: it says what is being worked on, to
+// whoever follows in this segment.
 void Service::mark_begun(std::uint64_t id, unsigned times) {
     auto& ring = image_.segment().answers;
     // P4: own head

@@ -1,4 +1,4 @@
-// The store at work: takes requests of operator (through the supervisor) and programs (through the
+// The running store: takes requests of operator (through the supervisor) and programs (through the
 // kernel), brings them to the image and to the disk.
 //
 //   operator   checked -> on disk -> image -> answer. Refused by the disk: nothing changed, and the
@@ -111,7 +111,7 @@ private:
     std::string disk_refuses_;
     std::deque<StoreAnswer> out_;  // answers for which there is no room yet
     Clock::time_point next_backup_{}, quiet_since_{};
-    bool unfit_ = false, told_ = true;  // told: the kernel knows
+    bool unfit_ = false, told_ = true;  // reported: the kernel knows
     std::string unfit_text_;
     std::unique_ptr<LoginLimit> logins_;
     std::string refuse_begun(const StoreRequest& request);

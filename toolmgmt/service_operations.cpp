@@ -1,4 +1,4 @@
-// The store at work for operations (operations/operation.hpp) and for T calls of the kernel.
+// The store's service of operations (operations/operation.hpp) and for T calls of the kernel.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -141,7 +141,7 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
         for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at)
             write_value(values_, at->key, at->before, at->text_before, at->is_text);
     };
-    // Whatever an operation meets that nobody has thought of: it is not done, and the others are
+    // An unexpected fault of an operation: it is not done, and the others are
     // served.
     try {
         answer = run_operation(asked, work);

@@ -13,7 +13,7 @@
 namespace polyturn::toolmgmt {
 
 // What is wrong with machine or setup goes to `diagnoses`, contradictions included; the result
-// tells whether the disk could be read and written. disk: nullptr keeps nothing.
+// reports whether the disk could be read and written. disk: nullptr keeps nothing.
 Result<void> load_start_values(const Options& options, Database* disk, StoreValues& values,
                                std::vector<Diagnosis>& diagnoses);
 

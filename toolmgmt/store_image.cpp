@@ -51,7 +51,7 @@ Result<StoreImage> StoreImage::create(const std::string& instance,
 }
 
 void StoreImage::read_into(StoreValues& values) const {
-    const StoreSegment& from = *own_;  // nobody writes it but us
+    const StoreSegment& from = *own_;  // only this process writes it
     values.parameters = from.parameters.published();
     values.counters = from.totals.published().counters;
     values.last_position = from.totals.published().last_position;

@@ -1,4 +1,4 @@
-// The store's segment: what it publishes to all others, and where it stands in the rings of kernel
+// The store's segment: what it publishes to all others, and its position in the rings of kernel
 // and supervisor. A store that was killed is followed by another one in the same segment: nobody
 // attaches again, no request is lost and none is answered for another. A segment that an earlier
 // controller of that name left behind is replaced.

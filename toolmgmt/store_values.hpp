@@ -61,9 +61,9 @@ struct Cell {
 struct StoreValues {
     params::Table parameters;
     std::array<ChannelStore, kMaxChannels> channels;  // [0] is L1
-    std::array<double, kCounters> counters;           // NaN: never counted, the parameter tells
+    std::array<double, kCounters> counters;           // NaN: never counted, the parameter decides
     std::array<double, kMaxAxes> last_position;       // [0] is A1; NaN: not known
-    // where a tool stands is in its row, and nowhere else
+    // a tool's station is in its row, and nowhere else
     ToolTable tools;
     ToolEdgeTable edges;  // ordered by tool and number
     std::map<Key, Cell> cells;

@@ -1,4 +1,4 @@
-// The alarms of all days. The supervisor tells them, anybody may read them:
+// The alarms of all days. The supervisor reports them, anybody may read them:
 //
 //   {"do":"alarms.note","events":[{"ev":"alarm","utc":"2026-01-31T12:00:00Z", ...}]}
 //   {"do":"alarms.list","before_utc":"2026-01-31T00:00:00Z","most":200}   newest first; before_id: what is older than that row

@@ -1,6 +1,6 @@
 // The files that a backup carries besides the store: the machine's folder (parameters, PLC,
-// compensation, room) and the programs that the channels have open. And the backups that the store
-// makes by itself.
+// compensation, machine model) and the programs that the channels have open. And the backups that
+// the store makes by itself.
 #pragma once
 
 #include <string>

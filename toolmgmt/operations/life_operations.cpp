@@ -36,7 +36,7 @@ Groups groups_of(const StoreValues& values) {
 
 // What one part takes of the life of a group on the average: what all its sisters have used since
 // the oldest of their counts began, over the parts made since then. A reset goes on counting: what
-// the old insert had used stays in the sum. 0: nobody knows.
+// the old insert had used stays in the sum. 0: not known.
 double per_part(const StoreValues& values, const std::vector<std::int32_t>& tools, double parts) {
     double used = 0, begin = parts;
     bool known = false;
@@ -44,7 +44,7 @@ double per_part(const StoreValues& values, const std::vector<std::int32_t>& tool
         const Cell* since = values.cell({Kind::Setting, 0, tool, 0, "parts at reset"});
         const Cell* count = values.cell({Kind::Setting, 0, tool, 0, "counter at reset"});
         const Cell* before = values.cell({Kind::Setting, 0, tool, 0, "used before"});
-        if (!since && !count) continue;  // nobody knows since when it counts
+        if (!since && !count) continue;  // not known since when it counts
         known = true;
         begin = std::min(begin, since ? since->number : 0.0);
         used += values.tool(tool)->counter - (count ? count->number : 0.0) +

@@ -276,7 +276,7 @@ bool read_target(const Json& request, Work& work, Target& out) {
     return work.good() && (!out.of_edge() || find_parameter(request, work, out));
 }
 
-// Where the axis stands, as it is displayed.
+// The axis' position, as it is displayed.
 bool position_now(Work& work, std::int64_t channel, int field, double& out,
                   const AxisConfig*& axis) {
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || field > 2) {
@@ -309,7 +309,7 @@ Json set(const Json& request, Work& work) {
     return {{"what", describe(key_of(work, target))}, {"old", before}, {"new", value}};
 }
 
-// The tip stands where the workpiece measures `value` (diameter on a diameter axis): machine = zero
+// The tip is where the workpiece measures `value` (diameter on a diameter axis): machine = zero
 // + value + offset.
 Json measure(const Json& request, Work& work) {
     Target target;
@@ -599,7 +599,7 @@ bool edge_of(const std::string& what, Key& key) {
     return true;
 }
 
-// The newest entry that somebody has made and nobody has taken back: of the channel's offsets, or
+// The newest entry that was made and not taken back: of the channel's offsets, or
 // of the tool («tool», «edge») that is named.
 Json undo(const Json& request, Work& work) {
     if (!work.disk) {

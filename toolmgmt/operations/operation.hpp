@@ -39,7 +39,7 @@ struct Caller {
     std::string name;  // for the history
 };
 
-// Where a setter was touched last, as the kernel tells.
+// Where a setter was touched last, as the kernel reports.
 struct Touch {
     unsigned axis = 0;      // machine axis, from 1; 0: it has not
     bool negative = false;  // it travelled in the axis' negative direction
@@ -71,7 +71,7 @@ private:
     Clock::time_point next_{};
 };
 
-// One operation at work.
+// One operation in progress.
 struct Work {
     StoreValues& values;
     const MachineConfig& machine;
@@ -109,7 +109,7 @@ Result<Json> parse_request(std::string_view text);
 inline constexpr std::size_t kLargestRequest = std::size_t{4} << 20;
 inline constexpr int kDeepestRequest = 32;
 
-// The answer without "ok". What is wrong stands in work.faults.
+// The answer without "ok". Faults are in work.faults.
 Json run_operation(const Json& request, Work& work);
 // The answer as text.
 std::string answer_text(const Json& answer, const std::vector<Fault>& faults);

@@ -16,7 +16,7 @@ Inspection inspect(const std::string& folder, const std::string& file) {
     if (main.size() >= 100 && main.rfind("SQLite format 3", 0) == 0)
         for (std::size_t at = 60; at < 64; ++at)
             out.version = out.version << 8 | static_cast<unsigned char>(main[at]);
-    // new, or of a version that promised nothing
+    // new, or of a version without acknowledgements
     if (out.witness == WitnessFile::State::Missing && out.sums_state == PageSums::State::Missing)
         return out;
     const std::string name = file.substr(file.rfind('/') + 1);

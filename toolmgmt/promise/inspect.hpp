@@ -1,5 +1,5 @@
 // Looks at the files of a store before SQLite does: is the main file there, is each of its pages as
-// it was left, what was promised?
+// it was left, what was acknowledged?
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ struct LogPages {
     std::uint32_t pages = 0;
 };
 
-// A log that is missing, empty or torn at its end is none of our faults: what comes behind the
-// first bad frame does not count.
+// A log that is missing, empty or incomplete at its end is none of our faults: what comes behind
+// the first bad frame does not count.
 LogPages read_log(const std::string& path);
 
 }  // namespace polyturn::toolmgmt
