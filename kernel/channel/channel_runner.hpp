@@ -417,7 +417,7 @@ private:
     void spindle_mode(const PathRecord& r) noexcept;
     void refuse_bound(const PathRecord& r) noexcept;
     bool couple_spindle(const PathRecord& r) noexcept;
-    // channel_beside.cpp
+    // channel_positioning.cpp
     bool begin_positioning(const PathRecord& r) noexcept;
     void take_step(const PathRecord& r) noexcept;
     bool step_done(const PositioningTask& task) noexcept;
