@@ -346,7 +346,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
         if (sink.waiting) {
             sink.waiting = false;
             printer.flush();
-            if (!ask_to_continue(port)) break;  // nobody is there who could release it
+            if (!ask_to_continue(port)) break;  // no partner exists that could release it
             sink.take_common();
         }
         if (step == Step::AtBarrier) interpreter->barrier_done();

@@ -7,8 +7,8 @@
 //   length is met, and the memory is one state
 //
 // So many, because repeats (L9999) and the 65535 blocks of a B-axis program are counted where
-// nobody outside the language sees them. What changes a variable in each round and still never ends
-// is stopped by the number of blocks alone.
+// they are not visible outside the language. What changes a variable in each round and still never
+// ends is stopped by the number of blocks alone.
 #pragma once
 #include <cstdint>
 #include <string_view>

@@ -9,8 +9,8 @@ namespace {
 constexpr double kStands = 1e-7;  // mm: nothing is left of a move
 constexpr double kSame = 1e-9;    // as Core judges it
 
-// Axes beside the plane keep their share of the way: `share` of it from the start is kept, or comes
-// first and is left out.
+// Axes outside the plane keep their share of the travel: `share` of it from the start is kept, or
+// comes first and is left out.
 void keep_share(Move& m, double share, bool first, unsigned p, unsigned q) {
     for (unsigned i = 0; i < m.machine.size(); ++i) {
         if (i == p || i == q || !(m.moved >> i & 1u)) continue;

@@ -1,19 +1,19 @@
 // Chamfers and roundings between two consecutive moves, for every language: a sink in front of
 // compensation. It holds back the move that has an element at its end until the next one of the
-// contour tells where it must stop.
+// contour determines where it must stop.
 //
 //   move with corner() -> held a, calls behind it wait --(next move b)--> a shortened, element, b
 //   shortened
 //
 // Invariants
-//   I1  Calls go on in the order in which they came. The element stands directly behind a, or
+//   I1  Calls go on in the order in which they came. The element comes directly behind a, or
 //   directly before b when it
 //       takes its technology from b (Call::from_next).
 //   I2  Without a next move of the contour (another plane, a thread, rapid of the machine, a
 //   barrier, the end) a goes on
 //       as it is, without an element.
 //   I3  An element that does not fit and may not be made smaller is a fault: neither a nor anything
-//   behind it goes on. I4  What compensation is told between the moves waits in the same order
+//   behind it goes on. I4  Calls to compensation between the moves waits in the same order
 //   (later()).
 #pragma once
 #include <functional>
@@ -69,7 +69,7 @@ public:
     void cut_off();
     void block_done();  // the block has been interpreted
 
-    // A move whose end only the next block tells: what comes meanwhile waits, until insert() makes
+    // A move whose end only the next block gives: what comes meanwhile waits, until insert() makes
     // the move in front of it. A move that is held already stays so: the inserted one is the next
     // of its contour. `lost`: the fault where it is never made, because another move or the end
     // comes first; {}: then there was none.
@@ -224,7 +224,7 @@ private:
     Call want_;
     Held held_;  // when holding_ and not reserved_, and when kept_
     compensation::HeldCalls waiting_;
-    bool kept_ = false;                // a held move stands in front of the reserved one,
+    bool kept_ = false;                // a held move is in front of the reserved one,
     compensation::HeldCalls earlier_;  // and what came between them
     Alarm lost_{};                     // of the reserved move
     BlockContext lost_at_;

@@ -45,16 +45,16 @@ public:
     ContourRecorder(unsigned z_place, unsigned x_place) : z_(z_place), x_(x_place) {}
 
     Contour contour;
-    std::optional<Diagnosis> error;  // told by the block that failed
+    std::optional<Diagnosis> error;  // reported by the block that failed
     // a block that is no part of a contour: a thread, a move outside the plane, a wait
     std::optional<BlockContext> foreign;
-    bool only_plane = false;  // what axes beside the plane do counts for nothing
+    bool only_plane = false;  // axes outside the plane do not count
 
     void from(Point point) { here_ = point; }
     void move(const Move& move, const BlockContext& at) override;
     void alarm(const Diagnosis& diagnosis, const BlockContext& at) override;
     void wait(const Wait&, const BlockContext& at) override { foreign = at; }
-    // an end of the program tells the reader by itself
+    // an end of the program is noticed by the reader itself
     void stop(const Stop& stop, const BlockContext& at) override {
         if (stop.asked && (stop.reason == StopReason::M00 || stop.reason == StopReason::M01))
             foreign = at;

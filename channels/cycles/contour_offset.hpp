@@ -15,8 +15,8 @@ Contour translated(const Contour& contour, Point by);
 // left.
 Contour without_end_beyond(const Contour& contour, bool in_x, double sign, double most);
 // On which side of the contour's way the tool works that comes from a point: the infeed is along X
-// (else along Z), and the contour's way across it tells left from right; a point that is far aside
-// says nothing about its own side of the chord.
+// (else along Z), and the contour's direction across it distinguishes left from right; a point that
+// is far aside says nothing about its own side of the chord.
 int side_towards(const Contour& contour, Point point, bool infeed_in_x);
 
 }  // namespace polyturn::channels::cycles

@@ -41,7 +41,7 @@ bool out_of_thread(Core& core, const Drilling& hole, double level, double factor
     return good;
 }
 
-// Tapping in pecks: a short way back (chip break), or out of the hole and back to shortly above the
+// Tapping in pecks: a short retract (chip break), or out of the hole and back to shortly above the
 // last depth.
 bool tap_in_pecks(Core& core, const Drilling& hole) {
     const double step = std::copysign(hole.peck, hole.bottom - hole.r_level),
@@ -134,12 +134,12 @@ static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
     if (!(pitch > 0)) return core.fail(Alarm::LeadMissing, 'F');
     if (loop.orients) {
         if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
-        // the PLC closes the loop and answers when it stands there
+        // the PLC closes the loop and answers when it is in position
         core.aux('M', 19, "M19", false);
     } else {  // never turned free of the loop in between: it brakes as the loop closes
         core.aux('M', loop.code, "M" + std::to_string(static_cast<long>(loop.code)), false);
     }
-    path.spindle.turn = in;  // the moves know its speed, though it stands
+    path.spindle.turn = in;  // the moves know its speed, though it is stopped
     const bool locked = path.override_locked;
     path.override_locked = true;
     path.tap_pitch = in == SpindleTurn::Cw ? pitch : -pitch;

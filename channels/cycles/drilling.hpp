@@ -31,10 +31,10 @@ struct Drilling {
         Fine,
         Back
     } travel_out = Way::Rapid;
-    // Fine, Back: from the wall, with the spindle oriented, on the way out; and back above
+    // Fine, Back: from the wall, with the spindle oriented, during the retract; and back above
     AxisValues aside{};
     double travel_out_factor = 1.0;  // of the feed
-    bool left_hand = false;          // Tap: turns anticlockwise on the way in
+    bool left_hand = false;          // Tap: turns anticlockwise during infeed
     bool to_r_level = false;         // ends at the R level
     double out_factor = 1.0;         // Tap: speed out of the thread
     // Tap: at the R level the spindle is positioned (M19) or its loop closed by a code, then it
@@ -66,7 +66,7 @@ struct AxialHole {
 bool drill_axial(Core& core, const AxialHole& hole);
 bool tap_axial(Core& core, const AxialHole& hole);
 
-// From the present point: the hole's position is reached already, the axis stands on the initial
+// From the present point: the hole's position is reached already, the axis is on the initial
 // level.
 bool drill(Core& core, const Drilling& hole);
 

@@ -23,7 +23,7 @@ struct ThreadSection {
     double first = 0.0, least = 0.0;
     double finishing = 0.0;       // depth of the last pass; < 0 it is fed in straight
     double safety = 0.0;          // >= 0
-    bool square_corners = false;  // the way back with exact stops
+    bool square_corners = false;  // the return with exact stops
     double lead = 0.0;            // along s
     double lead_change = 0.0;     // a revolution
     // length along s; > 0 straight to the safety level, < 0 to the end point first

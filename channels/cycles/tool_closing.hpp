@@ -14,7 +14,7 @@ struct Flanks {
     double ascent_deg = 180.0;
 };
 
-// `changed` tells whether anything was closed.
+// `changed` says whether anything was closed.
 Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_sign,
                    const Flanks& flanks, bool& changed);
 

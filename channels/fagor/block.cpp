@@ -94,7 +94,7 @@ bool Interpreter::classify() {
     return true;
 }
 
-// Every word must have a taker: a word that nobody uses is a mistake of the program.
+// Every word must be used: an unused word is a mistake of the program.
 bool Interpreter::check_words() {
     std::uint32_t taken = kAlways, axes = 0;
     for (std::size_t i = 0; i < place_.size(); ++i)

@@ -24,7 +24,7 @@ std::int64_t subroutine_number(std::string_view statement) {
     return digits ? number : -1;
 }
 
-// Where the first line stands that is the one (place() of it), from the top of the program; the
+// Position of the first line that is the one (place() of it), from the top of the program; the
 // reader stays where it was.
 template <typename Wanted>
 std::optional<TextPosition> look_for(LineSource& source, Wanted is_the_one,
@@ -57,7 +57,7 @@ bool Interpreter::attribute_of(FileId file, char attribute) {
     return found;
 }
 
-// The subroutines that the main program defines; what is wrong with a definition is told before
+// The subroutines that the main program defines; what is wrong with a definition is reported before
 // anything moves.
 void Interpreter::index_subroutines(FileId file) {
     LineSource& source = files_->source(file);

@@ -68,7 +68,7 @@ double Interpreter::gear_limit() const {
     return gear ? settings_.gear_max[static_cast<std::size_t>(gear - 1)] : 0.0;
 }
 
-// AUTOGEAR: the gear whose speeds contain this one, told to the PLC by its M function.
+// AUTOGEAR: the gear whose speeds contain this one, reported to the PLC by its M function.
 bool Interpreter::spindle_gear(double rpm) {
     int gear = 0, fastest = 0;
     for (int n = 4; n >= 1; --n) {
@@ -103,7 +103,7 @@ bool Interpreter::tool_words() {
             return fail_word(*word('T'), Alarm::FagorValueRange, "T", static_cast<double>(tool));
         // tool management has chosen (managed_tools.cpp)
         const bool told = managed_serial_ == core_.at.serial;
-        if (told && settings_.change_by_m06) {  // which of its family it is, M06 tells
+        if (told && settings_.change_by_m06) {  // M06 says which of its family it is
             if (has('D') && !whole(*word('D'), offset)) return false;
             if (offset >
                 std::min<std::int64_t>(settings_.offsets, static_cast<std::int64_t>(kOffsets) - 1))
@@ -249,7 +249,7 @@ bool Interpreter::m_function(const Word& word, bool behind) {
         return false;
     if (code == 19) {
         const double angle = has('S') ? number('S') : 0.0;
-        // A spindle whose loop is closed already turns from where it stands, by as many degrees as
+        // A spindle whose loop is closed already turns from its position, by as many degrees as
         // the difference says (5.5.1).
         const bool closed = (modal_.m_states >> 19 & 1u) != 0;
         if (!core_.spindle_unwrapped(
@@ -258,14 +258,14 @@ bool Interpreter::m_function(const Word& word, bool behind) {
         modal_.position_angle = angle;
         modal_.stands_at = std::fabs(angle) > 360.0 ? std::fmod(angle, 360.0) : angle;
     }
-    // told already
+    // output already
     if (code == 6 && settings_.change_by_m06 && managed_serial_ == core_.at.serial &&
         modal_.next_tool >= 0)
         return take_over_change();
     char text[16];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", code);
     // M05 gives the drive back to an axis that shares it: its next move counts from where the drive
-    // stands then.
+    // is at standstill then.
     const bool changes = code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0,
                waits = changes && !core_.reads_ahead() && managed();
     const bool drains = (entry && entry->stops_preparation) || waits ||

@@ -1,4 +1,4 @@
-// Reading blocks and the end of each. What a block does stands in block.cpp, statements.cpp and
+// Reading blocks and the end of each. What a block does is in block.cpp, statements.cpp and
 // behind the handlers.
 #include "channels/fagor/interpreter.hpp"
 
@@ -40,7 +40,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     for (std::size_t n = 0; n < kTools; ++n)
         values_.tool(ToolField::Offset, n) = static_cast<double>(n);
     frames_.reserve(32);
-    // G95 waits for a spindle that the PLC may start; the kernel tells if none turns
+    // G95 waits for a spindle that the PLC may start; the kernel reports if none turns
     core_.wait_for_spindle(true);
     modal_.diameter =
         core_.view().axis_by_role(PlaneRole::BasicX) >= 0 &&
@@ -230,7 +230,7 @@ Step Interpreter::step() {
 void Interpreter::live_value_barrier() { core_.sink().barrier(core_.at); }
 
 Step Interpreter::read_block() {
-    if (definition_fault_) {  // told before anything moves
+    if (definition_fault_) {  // reported before anything moves
         core_.at.line = definition_fault_->place.line;
         core_.sink().alarm(*definition_fault_, core_.at);
         ended_ = true;

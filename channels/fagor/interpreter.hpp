@@ -147,7 +147,7 @@ private:
     double from_length_plain(double mm) const;
     bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
     bool managed() { return core_.port().tool_table() != nullptr; }  // tool management answers T
-    // the T or M06 of this block is executed first; true: it was told just now
+    // the T or M06 of this block is executed first; true: it was output just now
     bool asks_for_tool();
     bool take_over_change();
     void tell_tool(ToolField field, std::size_t n, double value);
@@ -212,7 +212,7 @@ private:
 
     // loops of a compensated contour (loop_scan.cpp)
     struct LoopPlan {
-        // the block's way in the plane; the first one of its loop tells
+        // the block's travel in the plane; the first one of its loop decides
         bool left_out = false, first = false;
         std::optional<cycles::Point> end;  // otherwise where it ends instead
         // only the chamfer or rounding at its end is left out
@@ -336,9 +336,9 @@ private:
     bool reread_ = false, fresh_ = false;
     // of the block whose T or M06 has been executed before the rest of it
     std::uint64_t managed_serial_ = 0;
-    // an M06 has been told; its tool is known when it has been executed
+    // an M06 has been output; its tool is known when it has been executed
     bool change_pending_ = false;
-    bool probing_ = false;  // a probe move stands before its barrier
+    bool probing_ = false;  // a probe move is before its barrier
     std::uint16_t probe_code_ = 75;
     // no move since: the axes stand behind the touched point by
     std::uint64_t moves_at_touch_ = 0;

@@ -1,9 +1,9 @@
 // INT1 to INT4: an input interrupts the program by a subroutine (fagor_8037t part 2, 12.6).
 //
-// The kernel stops the path, drops what was pushed and tells the first block that is not executed.
-// Interpretation goes back there and the subroutine is called as if it stood before that block; it
-// keeps the local parameters. Behind RET the block in which the program was left is driven to its
-// end, from wherever the subroutine (or its REPOS) has left the axes.
+// The kernel stops the path, drops what was pushed and reports the first block that is not
+// executed. Interpretation goes back there and the subroutine is called as if it were before that
+// block; it keeps the local parameters. Behind RET the block in which the program was left is
+// driven to its end, from wherever the subroutine (or its REPOS) has left the axes.
 #include "channels/fagor/resume_state.hpp"
 
 namespace polyturn::channels::fagor {
@@ -31,7 +31,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     interrupted_->path = core_.path;
     interrupted_->modal = modal_;
     take_machine();
-    if (within) core_.taps(false);  // of a tap that is broken off nobody else would end it
+    if (within) core_.taps(false);  // of a tap that is broken off nothing else would end it
     modal_.modal_call = {};
     CallFrame frame;
     frame.kind = CallFrame::Kind::Subroutine;

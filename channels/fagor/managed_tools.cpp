@@ -39,7 +39,7 @@ bool Interpreter::asks_for_tool() {
                         !(entry && entry->after_motion) && (has('T') || modal_.next_tool >= 0));
     if (has('T')) {
         const Word& tool = *word('T');
-        // told by tool_words()
+        // reported by tool_words()
         if (tool.value != std::nearbyint(tool.value) || tool.value < 0 || tool.value > 255)
             return false;
         char text[16];

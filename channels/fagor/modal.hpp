@@ -1,4 +1,4 @@
-// Everything that holds from block to block in the language fagor beside positions, calls and
+// Everything that holds from block to block in the language fagor besides positions, calls and
 // parameters. Plain: a resume state is a copy.
 #pragma once
 #include <array>

@@ -1,4 +1,4 @@
-// What a resume state of fagor keeps beside positions; for resume.cpp and interrupts.cpp.
+// What a resume state of fagor keeps besides positions; for resume.cpp and interrupts.cpp.
 #pragma once
 #include "channels/fagor/interpreter.hpp"
 

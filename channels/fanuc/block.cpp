@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kAlways = letter_set("NOFSTMG");
 constexpr std::uint32_t bit_of(GGroup group) { return 1u << static_cast<unsigned>(group); }
 
-// Series 15 only (fanuc_lathe 8.1). A value of 0 is told by who needs a feed.
+// Series 15 only (fanuc_lathe 8.1). A value of 0 is reported by the code that needs a feed.
 bool feed_in_range(Core& core, const Word& word, FeedKind kind, double value, bool inch) {
     // IS-C
     const bool fine_axes = core.view().axis_count > 0 && core.view().axes[0].increment < 0.0005;
@@ -144,7 +144,7 @@ std::uint32_t Interpreter::drilling_name(std::uint32_t tenths) const {
     return tenths == 730 ? 831 : tenths == 740 ? 841 : tenths == 760 ? 861 : tenths;
 }
 
-// Every word must have a taker: a word that nobody uses is a mistake of the program.
+// Every word must be used: an unused word is a mistake of the program.
 bool Interpreter::check_words() {
     if (!polygon_alone()) return false;
     std::uint32_t taken = kAlways;
@@ -291,7 +291,7 @@ Step Interpreter::nc_block() {
         return fault(core_.fault());
     end_one_block_shift();
     if (core_.reads_ahead()) {
-        // calls belong to nobody's path
+        // calls belong to no path
         const bool counts =
             !called_ && (!calls || single_b) && (block_.letters & ~letter_set("NO")) != 0;
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_))

@@ -19,7 +19,7 @@ std::int64_t leading_number(std::string_view line, char letter, bool colon);
 
 class BlockIndex {
 public:
-    // Reads the whole text; the source then stands where it stood.
+    // Reads the whole text; the source's position is unchanged.
     void build(LineSource& source);
     bool built() const { return built_; }
     // Block N of the program that begins at `begin`: the next one from `here` on, else the first

@@ -37,7 +37,7 @@ struct BlockWords {
     std::int64_t local_call_ = -1;
     bool moved_ = false;            // the block moved: G66 calls follow
     std::uint32_t fault_line_ = 0;  // 0: the line read last
-    // by the macro parser; 0: the letter tells
+    // by the macro parser; 0: the letter decides
     std::uint32_t fault_column_ = 0, fault_length_ = 0;
 };
 

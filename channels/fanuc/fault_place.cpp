@@ -132,7 +132,7 @@ void Interpreter::judge_points() {
     }
 }
 
-// The source stands where it stood afterwards; the line that was read last is no longer there.
+// The source's position is unchanged afterwards; the line that was read last is no longer there.
 LinePlace Interpreter::place_in_file(FileId file, std::uint32_t wanted, char letter) {
     LineSource& source = files_->source(file);
     const TextPosition back = source.next_position();

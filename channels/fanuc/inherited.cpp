@@ -12,7 +12,7 @@
 namespace polyturn::channels::fanuc {
 namespace {
 
-// Group gg of an nct control stands in bit gg % 8 of table gg / 8.
+// Group gg of an nct control is in bit gg % 8 of table gg / 8.
 bool keeps(const params::Table& t, unsigned channel, unsigned group) {
     return params::bit(t, params::nth(params::n1302_clr_g_table1, group / 8 + 1), channel,
                        group % 8);
@@ -46,7 +46,7 @@ std::any Interpreter::carry() const {
         timer_ms_offset_, timer_h_offset_, ended_by_code_, parts_, settings_.parts_made});
 }
 
-// What was kept over power-off; a text that cannot be read leaves nothing, and is told.
+// What was saved over power-off; a text that cannot be read leaves nothing, and is reported.
 void Interpreter::recall_kept() {
     const auto ignored = [this](std::string_view what) {
         core_.sink().alarm({Alarm::StoreRowIgnored,
@@ -87,7 +87,7 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
     if (settings_.keeps_offset || (!settings_.mefi && !after_reset && !last.by_code)) {
         core_.path.tool = last.path.tool;
         core_.at.tool = core_.path.tool.ref;
-        if (apply_tool_offsets()) core_.take_wanted();  // the machine stands with it already
+        if (apply_tool_offsets()) core_.take_wanted();  // the machine is stopped with it already
     }
     if (settings_.nct &&
         params::bit(core_.view().table(), params::n1301_defaultg2, core_.view().channel, 7))

@@ -1,4 +1,4 @@
-// Reading blocks and the flow between programs. What a block does stands in block.cpp and behind
+// Reading blocks and the flow between programs. What a block does is in block.cpp and behind
 // the handlers.
 #include "channels/fanuc/interpreter.hpp"
 
@@ -84,7 +84,7 @@ void Interpreter::clear_modal() {
     if (settings_.system != kA) choose(absolute_ ? 900 : 910);
     if (settings_.power_on_length) choose(settings_.power_on_length);
     core_.helix_in_plane(settings_.helix_in_plane);
-    // feed per revolution waits for a spindle that the PLC may start; the kernel tells if none
+    // feed per revolution waits for a spindle that the PLC may start; the kernel reports if none
     // turns
     core_.wait_for_spindle(true);
     const bool per_revolution = settings_.power_on_per_revolution;
@@ -124,7 +124,7 @@ Result<void> Interpreter::start(FileId main) {
         false;
     managed_serial_ = letters_written_in_ = 0;
     fresh_ = true;  // cycle start is a barrier
-    // Without a machine nobody but the program can have closed a spindle's loop.
+    // Without a machine only the program can have closed a spindle's loop.
     turned_.fill({core_.port().axis_command(core_.view().axes[0].machine_axis)
                       ? SpindleLoop::Unknown
                       : SpindleLoop::Open,

@@ -182,7 +182,7 @@ private:
     void note_resume_point();
     bool go_back_to(std::uint64_t serial, bool within_compensation);
     bool is_plain_move() const;
-    // Everything that holds from block to block beside positions, calls and variables.
+    // Everything that holds from block to block besides positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_,
                         finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
@@ -429,7 +429,7 @@ private:
         return static_cast<std::uint16_t>((settings_.system == kC ? 700 : 200) + (inch ? 0 : 10));
     }
 
-    // under way beside blocks
+    // asynchronous to the blocks
     Measuring measuring_;
     RemoteData remote_;                       // G5: blocks of binary data come
     ExternalProgram external_;                // M198: a program text comes through a socket
@@ -441,7 +441,7 @@ private:
     // of the block whose T has been executed before the rest of it
     std::uint64_t managed_serial_ = 0;
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
-    // the block stands before a barrier and is read again behind it
+    // the block is before a barrier and is read again behind it
     bool reread_ = false;
     bool fresh_ = false;  // live values are those of the barrier just passed
     // those of them that may be read while a block is held for its corner
@@ -456,7 +456,7 @@ private:
     std::uint64_t serial_ = 0;
     bool keep_states_ = false, state_changed_ = true;
 
-    std::string message_;  // text of #3000, #3006 while it is told
+    std::string message_;  // text of #3000, #3006 while it is reported
 
     // letters -> axes
     std::array<std::int8_t, 26> absolute_axis_{}, incremental_axis_{};

@@ -55,7 +55,7 @@ struct Loop {
 struct PatternDialogue {
     bool open = false;   // a page has been begun
     bool menu = false;   // of patterns; otherwise of values
-    bool asked = false;  // the machine stands at it
+    bool asked = false;  // the machine is stopped at it
     DialoguePage page;
 };
 
@@ -104,7 +104,7 @@ struct BStep {
 struct ContourText {
     TextPlace first, behind;  // block P; what follows block Q
     std::int64_t last = 0;    // Q
-    bool directly = false;    // nothing stands between the cycle and block P
+    bool directly = false;    // nothing is between the cycle and block P
 };
 
 struct DrillWords {
@@ -134,7 +134,7 @@ struct OneBlockShift {  // mefi G58, G59: what holds again behind the block
 };
 
 struct Measuring {
-    // a skip move stands before its barrier; it measures the offset
+    // a skip move is before its barrier; it measures the offset
     bool skipping = false, measuring = false;
     unsigned place = 0;
     double target = 0.0, range = 0.0;  // true mm

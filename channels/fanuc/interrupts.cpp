@@ -4,10 +4,10 @@
 //           |          ^         and driven after M99 if it has only macro statements.
 //           '-> O8300 -'         type II: at the end of N10.
 //
-// The kernel stops the path, drops what was pushed and tells the first block that is not executed.
-// Interpretation goes back there, and the interrupt program is called as if it stood before that
-// block. While it runs no signal counts; M99 switches the watch on again, in path order.
-// Compensation rests meanwhile; behind M99 the path goes straight to the next vector.
+// The kernel stops the path, drops what was pushed and reports the first block that is not
+// executed. Interpretation goes back there, and the interrupt program is called as if it were
+// before that block. While it runs no signal counts; M99 switches the watch on again, in path
+// order. Compensation rests meanwhile; behind M99 the path goes straight to the next vector.
 #include <algorithm>
 
 #include "channels/fanuc/resume_state.hpp"
@@ -105,7 +105,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
         interruption_.side = comp->tenths == 410 ? CompSide::Left : CompSide::Right;
     ended_ = false;
     interrupting_ = watch;
-    // of a tap that is broken off nobody else would end it
+    // of a tap that is broken off nothing else would end it
     if (within && drilling_) core_.taps(false);
     if (!within) interruption_.end = core_.path.programmed;
     interruption_.begin = core_.path.programmed;

@@ -1,4 +1,4 @@
-// What holds from block to block in the fanuc family beside positions, calls and variables. Which
+// What holds from block to block in the fanuc family besides positions, calls and variables. Which
 // of it a resume point keeps, Interpreter::modal() says.
 #pragma once
 #include <array>
@@ -35,7 +35,7 @@ struct ModalState {
     CornerBefore corner_before_;
     bool polar_ = false, polar_known_ = false;
     double polar_radius_ = 0.0, polar_angle_ = 0.0;
-    double angle_dp_ = 0.0, angle_dq_ = 0.0;  // direction of a line whose end the next block tells
+    double angle_dp_ = 0.0, angle_dq_ = 0.0;  // direction of a line whose end the next block gives
     BlockContext angle_at_;
     corners::Call angle_corner_;  // ,C or ,R at that line's end; of no size: none
     corners::Call block_corner_;  // of the block that is read
@@ -48,7 +48,7 @@ struct ModalState {
     double unit_ = 1.0;                 // mm in a programmed millimetre or inch
     double lead_ = 0.0;                 // of the last thread, mm
 
-    // what programs have told the control
+    // what programs have set in the control
     double parts_ = 0, parts_wanted_ = 0;
     double pattern_ = 0;         // #5900
     std::uint32_t outputs_ = 0;  // #1132

@@ -179,7 +179,7 @@ void fanuc_rollover(MachineView& view) {
         axis.rollover = bit(t, f1008, a, 0);
         if (!axis.rollover) continue;
         axis.rollover_shortest = !bit(t, f1008, a, 1);
-        // RAB: the sign tells the way, the target is the word modulo F1260 all the same
+        // RAB: the sign gives the direction, the target is the word modulo F1260 all the same
         axis.rollover_sign_is_direction = false;
         axis.rollover_reduces_increments = false;
         if (const auto period = static_cast<double>(get(t, f1260, a)); period > 0)

@@ -115,7 +115,7 @@ struct Settings {
     bool r_absolute = false;           // F5102#6: R level of series 15 programs
     bool r_in_diameter = false;        // F5102#7
     double chip_break_return = 0, peck_clearance = 0;  // mm
-    double bore_out_factor = 1;                        // feed of the way out of G85, G89
+    double bore_out_factor = 1;                        // feed of the retract of G85, G89
     bool measure_by_decimal = false;  // F3405#3: G37.1, G37.2 measure, not G36, G37
     double skip_feed = 0;             // G31: mm/min; 0: the modal feed
     double measure_feed = 0;          // likewise

@@ -25,7 +25,7 @@ bool Interpreter::g_shift(const GCode& row) {
 }
 
 // A block says one thing: an address once, of each group one code, and G92 or G93. The
-// specification tells no alarms (8); what it cites, DIN, has it so, and of G54 X10 X20 one of the
+// specification has no alarms (8); what it cites, DIN, has it so, and of G54 X10 X20 one of the
 // words would be lost in silence.
 bool Interpreter::says_it_once() {
     const auto refuse = [this](const Word& word, Alarm alarm, std::string detail) {

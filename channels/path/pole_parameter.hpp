@@ -8,12 +8,17 @@
 //
 //     s = x + lambda * (integral of w dC)        ds/dx = q = 1 + lambda w C' >= 1
 //
-//      C |        .-------       near the foot s counts the turn: C is driven evenly, by its own limits.
-//        |       |               Far away s counts travel, as that of any other record. In the plane of x and lambda C the
-//        |       |               path has two corners, as wide as sqrt(lambda b); the speed falls to what they allow.
+//      C |        .-------
+//        |       |
+//        |       |
 //        |_______'
-//         ------------- x        w: 1 in the middle, and 0 with its first two derivatives where the window ends, so that the
-//                                neighbouring records meet without a step of speed or acceleration.
+//         ------------- x
+//
+// Near the foot s counts the turn: C is driven evenly, by its own limits. Far away s counts travel,
+// as that of any other record. In the plane of x and lambda C the path has two corners, as wide as
+// sqrt(lambda b); the speed falls to what they allow. w is 1 in the middle, and 0 with its first
+// two derivatives where the window ends, so that the neighbouring records meet without a step of
+// speed or acceleration.
 //
 // lambda   linear axis' limits over the rotary one's (mm/rad): then both directions of that plane
 //          are alike.

@@ -1,4 +1,4 @@
-// Reading blocks and the flow between programs. What a block does stands in block.cpp and behind
+// Reading blocks and the flow between programs. What a block does is in block.cpp and behind
 // the handlers.
 #include "channels/sinumerik/interpreter.hpp"
 
@@ -304,7 +304,7 @@ Step Interpreter::read_block() {
     return after_block(ok);
 }
 
-// A statement, or words and what stands behind them.
+// A statement, or words and what follows them.
 bool Interpreter::read_line() {
     bool ok = true;
     const std::string_view first = cursor_.name_ahead();
@@ -339,7 +339,7 @@ bool Interpreter::read_line() {
     return ok;
 }
 
-// The statement itself; what it assigned is told when it has succeeded.
+// The statement itself; what it assigned is reported when it has succeeded.
 bool Interpreter::run_statement() {
     const bool ok = (this->*statement_->act)();
     if (!ok) return false;

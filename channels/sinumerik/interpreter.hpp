@@ -556,7 +556,7 @@ private:
     bool interrupt_input(const Value& value, const char* at, int& input);
 
     // synchronized actions (synchronized.cpp)
-    // in the order in which they were told
+    // in the order in which they were programmed
     std::vector<SynchronizedAction> actions_;
     bool in_action_ = false;  // one is being read or done
     bool synchronized_actions();
@@ -657,7 +657,7 @@ private:
         std::string name;
         Value value;
     };
-    std::vector<Written> written_;  // told when the block acts
+    std::vector<Written> written_;  // output when the block acts
     struct WrittenZero {
         int number;
         std::int32_t row;

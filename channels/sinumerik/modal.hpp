@@ -32,7 +32,7 @@ struct ModalCall {
 // those of the first time.
 struct HolePattern {
     std::vector<Argument> arguments;
-    int hole = 0, count = 0;  // the one where the tool stands, from 0
+    int hole = 0, count = 0;  // the one at the tool's position, from 0
     bool more() const { return hole + 1 < count; }
 };
 
@@ -59,8 +59,8 @@ struct SpindleRatio {
     double turns = 1.0, master_turns = 1.0;
 };
 
-// Everything that holds from block to block beside positions, calls and variables: part of a resume
-// state.
+// Everything that holds from block to block besides positions, calls and variables: part of a
+// resume state.
 struct Modal {
     std::optional<double> inclined_deg;          // TRAANG: the angle programmed last
     std::array<std::uint8_t, kGroups> active{};  // number of the active G command of each group
@@ -72,7 +72,7 @@ struct Modal {
     bool feed_revolution = false;  // what group 15 makes of F
     // S as programmed in revolutions, or the speed that G97 has kept
     std::array<double, kMaxSpindles + 1> asked_rpm{};
-    // DIAMONA and the like: as the numbers of group 29, or kAsChannel; 0: nothing told
+    // DIAMONA and the like: as the numbers of group 29, or kAsChannel; 0: not given
     std::array<std::uint8_t, kChannelAxes> axis_diameter{};
     double path_override = 100, rapid_override = 100;  // OVR, OVRRAP, percent
     bool feed_group_set = false;                       // FGROUP: F counts these axes
@@ -124,7 +124,7 @@ struct Modal {
     std::int64_t last_number = 0;
     // words without effect that this program has been warned of, each once
     std::vector<std::string> told;
-    bool hides_steps = false, steps_hidden = false;  // SBLOF; what the machine has been told
+    bool hides_steps = false, steps_hidden = false;  // SBLOF; what the machine has been sent
     bool actions_told = false;             // and that synchronized actions act between blocks only
     std::optional<CurveDefinition> curve;  // between CTABDEF and CTABEND
     AxisValues before_curve{};             // what was programmed before it

@@ -1,4 +1,4 @@
-// Reads one decimal number where it stands in a program: no copy, no locale, no allocation. Exact:
+// Reads one decimal number in place in a program: no copy, no locale, no allocation. Exact:
 // up to 18 digits are gathered as an integer and divided once by a power of ten, which rounds
 // correctly below 2^53.
 #pragma once

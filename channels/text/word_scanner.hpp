@@ -94,7 +94,7 @@ public:
     virtual std::size_t axis_name(const char* at, const char* end, int& axis) = 0;
     bool has_long_names = false;
     bool names_in_brackets = false;    // [#NAME] begins a macro statement, as # does
-    bool takes_program_names = false;  // <NAME> stands for a program
+    bool takes_program_names = false;  // <NAME> means a program
 };
 
 struct ScanFault {

@@ -134,7 +134,7 @@ BlockKind Reader::statement(const char* at, Block& block) {
     return BlockKind::Statement;
 }
 
-// A letter and its number; blanks may stand between letter, sign and digits; P<n> stands for the
+// A letter and its number; blanks may be between letter, sign and digits; P<n> stands for the
 // value of a parameter.
 bool Reader::word(const char*& at, Block& block) {
     const char* const begin = at;

@@ -13,7 +13,7 @@ namespace polyturn::channels::fagor {
 
 struct Word {
     char letter = 0;
-    bool given = false;      // a number stood behind it; without one it counts as 0
+    bool given = false;      // a number followed it; without one it counts as 0
     bool parameter = false;  // its number came from an arithmetic parameter
     double value = 0.0;
     std::uint16_t column = 0;  // byte in the line, from 1

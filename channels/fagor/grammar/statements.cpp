@@ -17,7 +17,7 @@ std::string_view letters_at(const char* at, const char* end) {
     return {at, static_cast<std::size_t>(q - at)};
 }
 
-// Where ELSE stands outside of quotes and brackets; `end` where there is none.
+// Position of ELSE outside of quotes and brackets; `end` where there is none.
 const char* else_in(const char* at, const char* end) {
     bool quoted = false;
     int depth = 0;
@@ -72,7 +72,7 @@ Interpreter::Flow Interpreter::flow_of(Expression::Status status) {
     if (status == Expression::Status::Ok) return Flow::Done;
     if (status == Expression::Status::NeedsBarrier) return Flow::NeedsBarrier;
     const ExpressionFault& f = expression_.fault();
-    if (f.alarm == Alarm{}) return Flow::Fault;  // told by read()
+    if (f.alarm == Alarm{}) return Flow::Fault;  // reported by read()
     return flow_fault(f.alarm, f.at ? f.at : line_.data(), f.length, f.detail);
 }
 
@@ -86,7 +86,7 @@ Interpreter::Flow Interpreter::target(const char*& at, const char* end, Target& 
 
 // A program that reads where an axis really is (POS, APOS) means where it has come to, not how it
 // swings there behind a move: it is waited for until the axis is quiet, a fifth of a second at
-// most. What a probe has touched stands already.
+// most. What a probe has touched is already at rest.
 bool Interpreter::axes_settle(const char* at, const char* end) {
     constexpr double kQuietMm = 3e-4;
     constexpr unsigned kQuietLooks = 10, kMostLooks = 200;  // one look a tick

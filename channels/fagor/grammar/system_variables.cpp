@@ -432,7 +432,7 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
             break;
         case Var::SpindleReal: {
             const auto turns = s.spindle ? port.spindle_speed(s.spindle) : std::nullopt;
-            // beyond tenths an encoder tells noise
+            // beyond tenths an encoder reports noise
             value = turns ? std::round(*turns * 10.0) / 10.0 : spindle_turns_at();
             break;
         }

@@ -71,7 +71,7 @@ double taken_by_corner(const Element& a, const Element& b, const Nose& nose) {
            (nose.corner == compensation::Corner::Extended ? std::fmax(extended, -1.0) : extended);
 }
 
-// The nose on its way along k would cut into an element of the window, wherever on k it stands.
+// The nose moving along k would cut into an element of the window, wherever on k it is.
 bool collides(const std::vector<Element>& all, std::size_t k, const Nose& tool,
               std::size_t window) {
     const Element& e = all[k];

@@ -50,7 +50,7 @@ Point Interpreter::cycle_point(char abscissa, char ordinate) {
     return {length(number(abscissa), p), length(number(ordinate), q)};
 }
 
-// The point where the tool stands, in the plane.
+// The tool's position in the plane.
 Point Interpreter::cycle_call_point() {
     int p = -1, q = -1;
     core_.plane_axes(p, q);
@@ -205,7 +205,7 @@ bool Interpreter::g_threading(const GCode& row) {
             return core_.fail(Alarm::FagorValueRange, 'V', "V", static_cast<double>(starts));
         thread.starts = starts > 0 ? static_cast<int>(starts) : 1;
     }
-    if (has('K')) {  // repair: at the measured point the spindle stands at W
+    if (has('K')) {  // repair: at the measured point the spindle is at W
         int p = -1, q = -1;
         core_.plane_axes(p, q);
         const double measured = thread.face ? length(number('K'), q) : length(number('K'), p);

@@ -37,7 +37,7 @@ bool Interpreter::plane_places(unsigned& p, unsigned& q) {
     return true;
 }
 
-// The polar origin stands still in the machine; the part's zero may move under it (4.5).
+// The polar origin does not move in the machine; the part's zero may move under it (4.5).
 void Interpreter::polar_origin(double& p, double& q) const {
     int pi = -1, qi = -1;
     core_.plane_axes(pi, qi);
@@ -176,7 +176,7 @@ bool Interpreter::arc_centre(const AxisValues&, bool absolute, double& cp, doubl
     const char lp = centre_letter(p), lq = centre_letter(q);
     const Word* wp = word(lp);
     const Word* wq = word(lq);
-    // the plane X U: the first word belongs to the axis that stands first in the order of axes
+    // the plane X U: the first word belongs to the axis that is first in the order of axes
     if (lp == lq) {
         const bool p_first =
             axis_number(core_.view().axes[p].name[0]) < axis_number(core_.view().axes[q].name[0]);

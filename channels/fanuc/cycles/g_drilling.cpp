@@ -27,7 +27,7 @@ bool Interpreter::g_drilling(const GCode& row) {
     const bool native_only = row.tenths == 870 || row.tenths == 880;
     if (!settings_.nct && (series15_drills(settings_, core_.view()) ? native_only : series15_only))
         return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
-    // G80 has ended all that the cycle before was told: the bottom, too, is said anew
+    // G80 has ended all data of the cycle before: the bottom, too, is said anew
     if (!drilling_) drill_ = {};
     drilling_ = &row;
     return true;
@@ -52,14 +52,14 @@ int Interpreter::drilling_axis() {
             break;
     }
     if (!settings_.nct) return -1;
-    // A lathe stands in G18 from power-on: where nothing can drill along Y, the face is meant, as
+    // A lathe is in G18 from power-on: where nothing can drill along Y, the face is meant, as
     // on other lathes.
     const int y = view.axis_by_role(PlaneRole::BasicY);
     return y < 0 && view.config().kind == ChannelKind::Lathe ? view.axis_by_role(PlaneRole::BasicZ)
                                                              : y;
 }
 
-// N1502, or I in the block: percent of the feed on the way out.
+// N1502, or I in the block: percent of the feed of the retract.
 void Interpreter::bore_out(cycles::Drilling& hole) {
     hole.travel_out_factor = settings_.nct && block_.has('I') && block_.value('I') > 0
                                  ? block_.value('I') / 100.0

@@ -119,7 +119,7 @@ bool Interpreter::g_thread_passes(const GCode& row) {
         cycle.taper = radius_length('R');
         cycle.height = fine_length('P');
         cycle.first = fine_length('Q');
-        // R of this block is the taper: the allowance stands in the block before.
+        // R of this block is the taper: the allowance is in the block before.
         if (cycle.height > 0 && (cycle.allowance < 0 || cycle.allowance > cycle.height))
             return core_.fail(Alarm::CycleValueIllegal, 0, "R", cycle.allowance);
     }

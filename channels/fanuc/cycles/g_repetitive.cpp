@@ -37,7 +37,7 @@ bool Interpreter::turning_cycles_available(const GCode& row) {
     return true;
 }
 
-// A length of the first block. Fanuc: it stands for the parameter from now on; nct: for the cycle
+// A length of the first block. Fanuc: it replaces the parameter from now on; nct: for the cycle
 // that follows.
 void Interpreter::keep_word(std::optional<double>& kept, char letter) {
     if (block_.has(letter))
@@ -308,7 +308,7 @@ bool Interpreter::g_finishing(const GCode& row) {
     return true;
 }
 
-// The way back is the cycle's own and no part of the contour: as in G90 the nose leaves the contour
+// The return is the cycle's own and no part of the contour: as in G90 the nose leaves the contour
 // at its last normal, and compensation begins again with the next block. As an element of the
 // contour it would be an inner corner that most last blocks are too short for.
 bool Interpreter::end_finishing() {

@@ -110,7 +110,7 @@ bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, Loca
 }
 
 // Arguments stand behind the call, which is word `call` of the block (fanuc_lathe 6.9.1): what
-// stands before it would do nothing.
+// precedes it would do nothing.
 bool Interpreter::call_stands_first(std::size_t call) {
     for (std::size_t k = 0; k < call; ++k) {
         const Word& word = block_.words[k];
@@ -174,7 +174,7 @@ bool Interpreter::gives_arguments() const {
 }
 
 // A stop or a waiting code that were an argument only would let the machine run on where its
-// program says that it stands, or past the other channel. Nothing in the specification takes it
+// program says that it is stopped, or past the other channel. Nothing in the specification takes it
 // away: it acts as ever, and the macro is called behind it with M as its argument.
 const Word* Interpreter::stops_or_waits() const {
     for (std::size_t k = 0; k < block_.count; ++k) {
@@ -186,8 +186,8 @@ const Word* Interpreter::stops_or_waits() const {
     return nullptr;
 }
 
-// Whether another word of such a block would move or switch, or be an argument only, nobody tells:
-// it stands alone (P: the channels).
+// Whether another word of such a block would move or switch, or be an argument only, is not
+// specified: it is alone in its block (P: the channels).
 bool Interpreter::stands_alone(const Word& stop) {
     for (std::size_t k = 0; k < block_.count; ++k) {
         const Word& word = block_.words[k];
@@ -214,7 +214,7 @@ bool Interpreter::per_block_call() {
            call_program(modal.program, modal.repeats, &arguments, false, true, 0);
 }
 
-// Codes that call programs instead of acting. `called` tells whether the block was used up by a
+// Codes that call programs instead of acting. `called` says whether the block was used up by a
 // call.
 bool Interpreter::code_calls(bool& called) {
     sub_program_ = local_call_ = -1;

@@ -8,7 +8,7 @@
 // A comment ( ... ) may stand wherever a blank may (fanuc_lathe 6.4). Those behind the expression
 // are left to the caller: the one behind #3000=n is the text of an alarm.
 //
-// Empty (NaN) survives only where it stands alone and in EQ and NE; everywhere else it counts as 0
+// Empty (NaN) survives only where it is alone and in EQ and NE; everywhere else it counts as 0
 // (fanuc_lathe 6.2).
 #pragma once
 #include <cmath>
@@ -87,7 +87,7 @@ private:
     const char* p_ = nullptr;
     const char* end_ = nullptr;
     const char* comments_ = nullptr;         // the last ones that were skipped: where they begin
-    const char* behind_comments_ = nullptr;  // and what stands behind them
+    const char* behind_comments_ = nullptr;  // and what follows them
     unsigned depth_ = 0;
     double round_step_ = 1.0;
     bool needs_barrier_ = false;

@@ -382,7 +382,7 @@ bool Interpreter::sub_call(bool external) {
     if (!settings_.nct && number >= 0) {
         if (settings_.series15) {
             number %= 10000;
-        } else if (number > 9999) {  // the count stands before the four digits of the number
+        } else if (number > 9999) {  // the count precedes the four digits of the number
             repeats = number / 10000;
             number %= 10000;
         }

@@ -77,7 +77,7 @@ ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double&
         fault_length_ = 1;
         return Read::Fault;
     }
-    // The word that is being read stands behind the last one counted.
+    // The word that is being read follows the last one counted.
     const char address =
         block_.count < Block::kMaxWords ? block_.words[block_.count].address : '\0';
     expression_.round_to(settings_.nct ? 1.0 : rounding_step(address));

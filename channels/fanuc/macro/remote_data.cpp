@@ -8,7 +8,7 @@
 //
 // A block of nothing but zeros ends it. The data come from PT_REMOTE_INPUT, or from the file beside
 // the main program. They are read a piece at a time between two steps, so that a sender that is
-// slow holds nobody but this program.
+// slow holds only this program.
 #include <chrono>
 #include <cmath>
 
@@ -37,7 +37,7 @@ bool way_of(unsigned high, unsigned low, int& way) {
 
 bool Interpreter::g_binary_input(const GCode&) {
     if (core_.compensating()) return core_.fail(Alarm::BinaryInputComp, 'G');
-    // G5 stands alone
+    // G5 is alone in its block
     if (const std::uint32_t extra = block_.letters & ~(letter_bit('G') | letter_bit('N'));
         extra || g_count_ != 1) {
         const char letter = extra ? static_cast<char>('A' + __builtin_ctz(extra)) : 'G';

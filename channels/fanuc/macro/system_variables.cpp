@@ -203,9 +203,9 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         const double plain = core_.unframed(point)[i];
         return plain + (settings_.positions_with_length ? path.shift[i] : 0.0);
     };
-    // Behind a barrier the path has ended: an axis stands where the path has brought it, however
-    // much its loop still lags in that tick. Only an interrupt program that runs beside the path
-    // asks while the axes move.
+    // Behind a barrier the path has ended: an axis is where the path has brought it, however
+    // much its loop still lags in that tick. Only an interrupt program that runs asynchronously to
+    // the path asks while the axes move.
     const auto where = [&](std::uint8_t machine_axis) {
         const auto rests =
             interruption_.running ? std::nullopt : port.axis_taken_over(machine_axis);
@@ -366,7 +366,7 @@ double Interpreter::mirrored_axes() const {
 }
 
 // #3003, #3004: single block, waiting for functions and feed hold are the kernel's, in path order.
-// Where G63 taps a hold waits for G64: the spindle would turn on under the tool that stands (the
+// Where G63 taps a hold waits for G64: the spindle would turn on under the stopped tool (the
 // field's standard).
 std::uint32_t Interpreter::control_bits() const {
     const GCode* mode = active_[static_cast<std::size_t>(GGroup::ExactStop)];

@@ -17,7 +17,7 @@ void AngularSink::move(const Move& m, const BlockContext& at) {
     real.kinematics = &kinematics_;
     real.path_start = m.machine_start;
     real.path = m.machine;
-    // the first move starts where the machine stands
+    // the first move starts at the machine's position
     if (!begun_ && port_->axis_command(view_->axes[axes_.angular].machine_axis)) {
         for (unsigned i = 0; i < view_->axis_count; ++i)
             if (const auto now = port_->axis_command(view_->axes[i].machine_axis))

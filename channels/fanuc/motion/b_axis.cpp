@@ -8,7 +8,7 @@
 //                 the path
 //   G1 X.. Z..    goes on meanwhile; a move of B by the path waits for the end of its own program
 //
-// Positions in front of the first absolute one of a program count from where B stands when the
+// Positions in front of the first absolute one of a program count from B's position when the
 // kernel begins it: with F8250 = 3 the program of another channel may have left it elsewhere. Then
 // only such programs move it, each channel has its own, and they follow each other in the order in
 // which they were started (10.4.3, 10.4.5).
@@ -166,7 +166,7 @@ bool Interpreter::g_b_single(const GCode&) {
     return b_step(step, true) && b_run({step});
 }
 
-// The steps are handed over; the axis runs them beside the path.
+// The steps are handed over; the axis runs them asynchronously.
 bool Interpreter::b_run(const std::vector<BStep>& program) {
     const auto b = core_.view().axis_by_name("B");
     core_.at.own_axis = static_cast<std::int8_t>(b);

@@ -52,7 +52,7 @@ bool Interpreter::corner_word(const Word& word) {
 }
 
 // An inner chamfer or corner R must be as large as the nose is (fanuc_lathe 3.16); the next line
-// tells whether it is an inner one.
+// says whether it is an inner one.
 void Interpreter::note_corner(double size, bool rounding, char letter) {
     int p = -1, q = -1;
     core_.plane_axes(p, q);

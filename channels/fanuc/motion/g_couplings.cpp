@@ -30,7 +30,7 @@ bool Interpreter::turns_polygon(unsigned place) const {
            p::get(view.table(), p::f7610, view.channel) == static_cast<std::int64_t>(place) + 1;
 }
 
-// fanuc_lathe 10.1: G50.2 stands in a block of its own; alarm 219 of the control says the same of
+// fanuc_lathe 10.1: G50.2 has a block of its own; alarm 219 of the control says the same of
 // G51.2.
 bool Interpreter::polygon_alone() {
     if (settings_.nct || !(coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u))

@@ -99,7 +99,7 @@ bool Interpreter::g_polar_plane(const GCode& row) {
     wanted.counts_from_here = true;
     if (!core_.transform(wanted)) return false;
     plane_before_ = core_.path.plane;
-    core_.path.plane = Plane::XY;  // of the linear axis and the one that stands for Y
+    core_.path.plane = Plane::XY;  // of the linear axis and the one that replaces Y
     return true;
 }
 

@@ -17,8 +17,9 @@ constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
 
 bool Interpreter::g_skip(const GCode&) {
     if (!axis_word_count_) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G31");
-    // Four signals, told apart by P. P98 ends at the torque of Q percent, P99 at that torque or at
-    // SKIP; nct: Q98 ends at the torque of R percent, or at the limit that the PLC gives (AP_TORQ).
+    // Four signals, distinguished by P. P98 ends at the torque of Q percent, P99 at that torque or
+    // at SKIP; nct: Q98 ends at the torque of R percent, or at the limit that the PLC gives
+    // (AP_TORQ).
     std::int64_t which = 1, percent = 0;
     if (block_.has('P') && !whole('P', which)) return false;
     double torque = 0.0;

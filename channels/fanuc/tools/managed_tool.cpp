@@ -67,7 +67,7 @@ bool Interpreter::names_managed_offset() const {
            (block_.has('D') && block_.value('D') == code);
 }
 
-// Nothing tells in check mode: then no offset acts, and that is said.
+// Not known in check mode: then no offset acts, and that is reported.
 bool Interpreter::managed_offset(bool radius, std::int64_t& offset) {
     const auto tool = core_.port().tool_at_work();
     const char letter = block_.has('T') ? 'T' : radius ? 'D' : 'H';

@@ -112,8 +112,8 @@ bool Interpreter::p_coupling(Call& c) {
     });
 }
 
-// COUPOF: the follower turns on as fast as it does. It is told so, and the PLC its direction, while
-// it still follows: so nothing brakes it.
+// COUPOF: the follower turns on as fast as it does. It gets that as its command, and the PLC its
+// direction, while it still follows: so nothing brakes it.
 bool Interpreter::keeps_turning(std::uint16_t follows) {
     constexpr double kStandsRpm = 1.0;
     if (!need_fresh()) return false;

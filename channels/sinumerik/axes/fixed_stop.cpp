@@ -6,7 +6,7 @@
 
 namespace polyturn::channels::sinumerik {
 
-// FXS[axis]=1: the way of this block leads to a stop; 0: the axis lets go, and what stands in the
+// FXS[axis]=1: this block travels to a stop; 0: the axis lets go, and what stands in the
 // block is driven from where it is then (the block is read again behind that barrier).
 bool Interpreter::a_fixed_stop(const Word& word) {
     if (word.axis < 0 || word.axis >= kSpindleAxis)

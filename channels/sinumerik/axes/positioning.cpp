@@ -1,6 +1,6 @@
 // Positioning axes: POS, POSA, POSP, their feed FA and where it comes from, revolutional feeds of
-// single axes (sinumerik_part1 8.2, 8.5). They move beside the path of their block, each with its
-// own feed; POSP behind it, part by part.
+// single axes (sinumerik_part1 8.2, 8.5). They move asynchronously to the path of their block, each
+// with its own feed; POSP behind it, part by part.
 #include <algorithm>
 #include <cmath>
 

@@ -20,7 +20,7 @@ bool Interpreter::a_cutting_speed(const Word& word) {
     if (surface_speed_active()) return fail_word(Alarm::CodesContradict, word, "SVC, G96");
     double speed = word.number();
     if (!metric_technology()) speed *= 0.3048;  // feet a minute
-    // told here, whatever else the block says (7.2)
+    // output here, whatever else the block says (7.2)
     const bool other = word.index > 0 && word.index != core_.path.spindle.spindle;
     if (other && !core_.commit_spindle()) return false;
     return with_spindle(other ? static_cast<std::uint16_t>(word.index) : std::uint16_t{0}, [&] {
@@ -148,7 +148,7 @@ void Interpreter::spindle_to_axis() {
     core_.sink().aux(stop, core_.at);
 }
 
-// SPCON, SPCOF: position control of a spindle beside what needs it. Here positions, threads and
+// SPCON, SPCOF: position control of a spindle besides what needs it. Here positions, threads and
 // couplings close the loop by themselves, so that SPCOF has nothing to open and SPCON no effect.
 bool Interpreter::p_spindle_control(Call& c) { return p_spindle_speed(c) && p_without_effect(c); }
 bool Interpreter::p_spindle_speed(Call& c) {

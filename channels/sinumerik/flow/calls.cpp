@@ -10,7 +10,7 @@ constexpr std::size_t kMostLevels = 16;  // program levels
 
 }  // namespace
 
-// What stands between the brackets of a call. Which of the arguments are variables by reference the
+// The text between the brackets of a call. Which of the arguments are variables by reference the
 // PROC line says.
 bool Interpreter::read_program_arguments(const std::string&, std::vector<Argument>& arguments) {
     if (!cursor_.eat('(')) return true;

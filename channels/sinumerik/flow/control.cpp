@@ -84,7 +84,7 @@ bool Interpreter::st_end_while() {  // ENDWHILE, ENDLOOP
     return true;
 }
 
-// EXECSTRING(text): the text is read next, as if it stood in the place of this block.
+// EXECSTRING(text): the text is read next, as if it replaced this block.
 bool Interpreter::st_execstring() {
     const char* const from = cursor_.at();
     Value text;

@@ -1,10 +1,10 @@
 // SETINT, ENABLE, DISABLE, CLRINT: a signal at an input interrupts the program (sinumerik_part3
 // 7.12, 11.1).
 //
-// The kernel stops the path, drops what was pushed and tells the first block that is not executed.
-// Interpretation goes back there and the routine is called as if it stood before that block; behind
-// the routine the block is read again, so that what is left of it is driven from where the routine
-// has left the axes.
+// The kernel stops the path, drops what was pushed and reports the first block that is not
+// executed. Interpretation goes back there and the routine is called as if it were before that
+// block; behind the routine the block is read again, so that what is left of it is driven from
+// where the routine has left the axes.
 #include <cmath>
 #include <utility>
 
@@ -77,7 +77,7 @@ bool Interpreter::st_setint() {
             return syntax(at, word);
         }
     }
-    // nobody says how it goes on
+    // its continuation is not specified
     if (routine.program.empty() && routine.lifts)
         return fail_at(Alarm::NotBuilt, from, 1, "SETINT LIFTFAST");
     if (routine.program.empty()) return syntax(cursor_.at(), "SETINT");
@@ -114,8 +114,8 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis))
             core_.take_machine(i, *now);
-    if (within) core_.taps(false);  // of a tap that is broken off nobody else would end it
-    // it stands where it was stopped, and the alarm says why
+    if (within) core_.taps(false);  // of a tap that is broken off nothing else would end it
+    // it stays where it was stopped, and the alarm says why
     if (lifts && !lift_from_contour(begin)) {
         fault(core_.fault());
         return false;
@@ -134,7 +134,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
 
 // LIFTFAST: before the routine the tool leaves the contour in rapid, with the words of the thread's
 // retraction (sinumerik_part2 10.10.4): DILF, ALF, LFTXT, LFWP, or to POLF by LFPOS. `begin`: where
-// the interrupted block began, which tells the tangent.
+// the interrupted block began, which gives the tangent.
 bool Interpreter::lift_from_contour(const AxisValues& begin) {
     AxisValues target = core_.path.programmed;
     const auto leave = [&](std::size_t place, double by) { target[place] += by; };

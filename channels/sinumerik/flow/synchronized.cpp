@@ -74,8 +74,8 @@ bool Interpreter::find_do(Cursor& at) {
     return false;
 }
 
-// What cannot be done is refused where it is told, not when its moment has come: by words of the
-// block, those behind an operator or within brackets are operands.
+// What cannot be done is refused where it is programmed, not when its moment has come: by words of
+// the block, those behind an operator or within brackets are operands.
 bool Interpreter::action_is_reportable(bool& deletes_travel) {
     unsigned brackets = 0;
     bool text = false, operand = false;
@@ -160,7 +160,7 @@ void Interpreter::split_dwell() {
     }
 }
 
-// A block that only tells what shall be done: it moves nothing and outputs nothing.
+// A block that only registers actions: it moves nothing and outputs nothing.
 bool Interpreter::st_synchronized() {
     SynchronizedAction action;
     std::string name(statement_->name);
@@ -222,7 +222,7 @@ bool Interpreter::st_synchronized() {
     if (action.id)
         std::erase_if(actions_, [&](const SynchronizedAction& one) { return one.id == action.id; });
     actions_.push_back(std::move(action));
-    // it is told, also where the rest of the line has to be read again
+    // it is reported, also where the rest of the line has to be read again
     if (!execute_.empty()) block_undo_.clear();
     return true;
 }

@@ -10,7 +10,7 @@ namespace polyturn::channels::sinumerik {
 struct FrameValue {
     AxisValues coarse_mm{}, fine_mm{};  // X as a radius
     AxisValues rotation_deg{};          // about the geometry axis at that place
-    AxisValues scale{};                 // 0 stands for 1: a frame of zeros is the neutral one
+    AxisValues scale{};                 // 0 means 1: a frame of zeros is the neutral one
     AxisSet mirrored = 0;
     // Rotation about X, Y, Z where the channel has no such axis: a lathe turns its plane about Y.
     std::array<double, 3> absent_deg{};

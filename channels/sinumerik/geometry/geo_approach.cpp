@@ -7,7 +7,7 @@
 //            |                         half        P3 = P4 + 2 R n               on a radius of DISR
 //   P3 ------'  G341; with G340 P3 is P2 and the curve comes down by itself
 //
-// What is made here are programmed moves; compensation stands behind them as behind any other move.
+// What is made here are programmed moves; compensation acts on them as behind any other move.
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -104,7 +104,7 @@ bool Interpreter::approach_line(const AxisValues& to, bool rapid, double feed, s
     return done;
 }
 
-// The way between P3 and P4 in the plane, from where the tool stands; entering or leaving.
+// The path between P3 and P4 in the plane, from the tool's position; entering or leaving.
 bool Interpreter::approach_curve(const SoftApproach& soft, const AxisValues& to, int side,
                                  const std::array<double, 2>& centre, double feed,
                                  std::uint8_t mode) {
@@ -321,7 +321,7 @@ bool Interpreter::geo_retract(const GCode& code) {
         modal_.active[17] = entry;
     }
     if (!in_plane_end) {
-        // Where nothing is programmed in the plane the tool stays where it stands, with G40 as the
+        // Where nothing is programmed in the plane the tool stays where it is, with G40 as the
         // point that is programmed.
         target[p] = p3[p];
         target[q] = p3[q];

@@ -70,7 +70,7 @@ bool Interpreter::geo_compensation(const GCode& code) {
     const bool plane_only = kind <= 2 || kind == 9 || kind == 10;  // CUT2D CUT2DF CUT2DD CUT2DFD
     if ((code.number != 1 || core_.compensating()) && !plane_only)
         return fail(Alarm::NotBuilt, std::string(find_g(22, kind)->name));
-    // the way in or out becomes a polynomial: G1 only (11.2)
+    // approach or retract becomes a polynomial: G1 only (11.2)
     if ((code.number == 1) == core_.compensating() && entry > 2) {
         const std::string name(find_g(17, entry)->name);
         const GCode* way = motion_code();

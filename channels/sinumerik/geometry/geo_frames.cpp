@@ -239,8 +239,8 @@ bool Interpreter::geo_frame(const GCode& code) {
 }
 
 // TOROT, TOFRAME and their X and Y forms: the named axis of the workpiece system points along the
-// tool, which stands square on the plane; the programmable frame keeps where it is and its factors
-// (13.9). TOROTOF takes the rotation back.
+// tool, which is perpendicular to the plane; the programmable frame keeps where it is and its
+// factors (13.9). TOROTOF takes the rotation back.
 bool Interpreter::g_tool_frame(const GCode& code) {
     if (code.number == 1 && active(53) == 1) return true;
     static constexpr std::size_t kApplicate[] = {2, 1, 0};

@@ -46,7 +46,7 @@ bool Interpreter::driven(const std::function<bool()>& drive) {
 // --- every move of a contour
 
 // CHF, CHR, RND, else RNDM: the element at the end of this block. The feed of an element that takes
-// its technology from the next block is told with that one.
+// its technology from the next block is output with that one.
 namespace {
 
 // SCALE takes a corner along with its contour, as it does the radius of an arc; 1 where both axes
@@ -200,7 +200,7 @@ bool Interpreter::polar_target(AxisValues& target) {
         if (radius->number() < 0) return fail_word(Alarm::NegativeSign, *radius, "RP");
         geo.polar_radius =
             (radius->mode == Mode::IC ? geo.polar_radius : 0.0) + radius->number() * unit();
-    } else {  // the distance of the point where the tool stands
+    } else {  // the distance of the tool's position
         const double distance = std::hypot(now_p, now_q);
         if (distance < 1e-7 && radius) return fail_word(Alarm::PolarRadiusNone, *radius);
         geo.polar_radius = distance;

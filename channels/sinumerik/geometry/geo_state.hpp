@@ -7,7 +7,7 @@
 
 namespace polyturn::channels::sinumerik {
 
-// A first straight line that is given by its angle alone: the next line tells where it ends
+// A first straight line that is given by its angle alone: the next line decides where it ends
 // (sinumerik_part2 10.9.3).
 struct OpenLine {
     double angle_deg = 0.0;

@@ -70,7 +70,7 @@ bool Interpreter::geo_thread(const GCode& code) {
     });
 }
 
-// LFOF: a hold acts behind the thread. LFON: the axes leave it by DILF in the direction ALF tells,
+// LFOF: a hold acts behind the thread. LFON: the axes leave it by DILF in the direction of ALF,
 // 45 degrees a step in the plane (LFWP) or from the tool's direction on (LFTXT), or go to their
 // POLF (LFPOS).
 bool Interpreter::travel_out(ThreadCall& call, const AxisValues& target) {
@@ -100,7 +100,7 @@ void Interpreter::lift_to_positions(const LeaveBy& leave) const {
 }
 
 // Which way of this axis leads from the cutting edge into the tool, and so off the workpiece: the
-// position of the edge (DP2) tells where its point lies seen from the middle of the nose (part 1,
+// position of the edge (DP2) says where its point lies seen from the middle of the nose (part 1,
 // 6.4; part 2, 11.1), in the axes of G18 as they are without a frame. 0: it does not tell, or a
 // frame turns the axis aside.
 double Interpreter::away_from_edge(std::size_t across) const {
@@ -232,7 +232,7 @@ bool Interpreter::barrel_arc(AxisValues& target, ArcCall& arc) {
     return true;
 }
 
-// G331 cuts with the hand that the sign of the pitch tells, G332 comes back the other way round:
+// G331 cuts with the hand given by the sign of the pitch, G332 returns in the other sense:
 // the spindle is led by the axis. Both have the speed S; the overrides do not act.
 bool Interpreter::geo_tap(const GCode& code) {
     return driven([&] {
@@ -252,7 +252,7 @@ bool Interpreter::geo_tap(const GCode& code) {
         if (path.spindle.rpm <= 0) return fail(Alarm::ThreadSpindleStopped);
         Core::TapLoop loop;
         if (!core_.rigid_loop(loop, true)) return false;
-        if (!spindle_closed(path.spindle.spindle)) close_spindle(false);  // from where it stands
+        if (!spindle_closed(path.spindle.spindle)) close_spindle(false);  // from its position
         const PathState before = path;
         const double way = core_.framed(target)[axis] - core_.framed_now()[axis];
         path.tap_pitch = pitch;

@@ -6,7 +6,7 @@
 //   unit         TRUE: the machine's (MD10240) instead of that of group 13
 //   kinds        bit 0 limits of the axes, bit 1 G25 G26 and WALCS; both without it
 //
-// The source says that a status comes back, not what it tells. It is the control's own: 0 all of
+// The source says that a status comes back, not its meaning. It is the control's own: 0 all of
 // the way, -1 a distance below 0, else
 //   1000 * axis + (100 upper, 200 lower limit) + (10 the start is outside, 20 the way leaves) + (1
 //   limit of an axis, 2 working area)

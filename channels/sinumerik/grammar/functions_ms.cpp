@@ -47,7 +47,7 @@ bool Interpreter::with_spindle(std::uint16_t spindle, const std::function<bool()
     return ok;
 }
 
-// S words and M3 M4 M5, told once for each spindle.
+// S words and M3 M4 M5, output once for each spindle.
 bool Interpreter::spindle_words() {
     const GCode* one_shot = block_.coded[2];
     const GCode* frame = block_.coded[3];
@@ -112,7 +112,7 @@ bool Interpreter::spindle_words() {
                 fault_column_ = fault_length_ = 0;
             }
             if (!core_.commit_spindle()) return false;
-            // the PLC's M3 means the spindle that was told last
+            // the PLC's M3 means the spindle that was commanded last
             for (const Word& word : block_.words)
                 if (word.address->name == "M" && speaks(word) && number_of_spindle(word) == spindle)
                     m_to_plc(word, static_cast<std::int64_t>(word.number()));
@@ -124,7 +124,7 @@ bool Interpreter::spindle_words() {
 }
 
 void Interpreter::m_to_plc(const Word& word, std::int64_t m) {
-    // an axis gets its drive back: where it stands is known behind it
+    // an axis gets its drive back: its position is known behind it
     const bool frees = m == 5 && core_.frees_axis();
     core_.aux('M', static_cast<double>(m),
               word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m), frees);
@@ -231,7 +231,7 @@ bool Interpreter::functions_after() {
     return true;
 }
 
-// A spindle that is not in position control yet gets there by the PLC's M19, wherever it stands.
+// A spindle that is not in position control yet gets there by the PLC's M19, at any position.
 void Interpreter::close_spindle(bool told, bool beside) {
     SpindleState& now = core_.path.spindle;
     now.turn = SpindleTurn::Stop;
@@ -254,7 +254,7 @@ void Interpreter::close_spindle(bool told, bool beside) {
     modal_.closed_spindles |= 1u << (now.spindle - 1);
 }
 
-// SPOS, SPOSA: a plain value and DC go the short way, IC counts from where it stands.
+// SPOS, SPOSA: a plain value and DC go the short way, IC counts from its position.
 bool Interpreter::a_spindle_position(const Word& word) {
     unsigned count = 0;
     for (const Word& other : block_.words)
@@ -293,7 +293,7 @@ bool Interpreter::a_spindle_position(const Word& word) {
     return good;
 }
 
-// FA of the block counts wherever it stands in it; what holds from before is modal.
+// FA of the block counts wherever it is in it; what holds from before is modal.
 double Interpreter::spindle_feed_rpm(std::uint16_t spindle) const {
     double degrees = modal_.spindle_feed[spindle];
     for (const Word& word : block_.words)

@@ -193,7 +193,7 @@ bool Interpreter::motion_changes(const GCode& to) {
         return true;
     }
     spindle.rpm = spindle.surface_m_min = modal_.asked_rpm[spindle.spindle] = 0.0;
-    // told with the S that must come before the spindle turns
+    // output with the S that must come before the spindle turns
     spindle.mode = SpindleModeCode::SurfaceSpeed;
     return true;
 }

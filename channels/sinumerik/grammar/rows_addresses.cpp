@@ -30,7 +30,7 @@ constexpr Address kAddressRows[] = {
     {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
     {"AX", Index::Axis, Use::Block, nullptr, true, true},  // an axis word by a variable
     {"IP", Index::Axis, Use::Block, nullptr, true, true},  // I J K by a variable
-    // driven beside the path: start_positioning()
+    // driven asynchronously: start_positioning()
     {"POS", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},
     {"POSA", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},
     {"POSP", Index::Axis, Use::Setting, &Interpreter::a_elsewhere, true, true},

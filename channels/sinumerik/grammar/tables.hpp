@@ -45,7 +45,7 @@ struct Address {
     bool is_signed = true;
     // may stand several times in a block (M, H, and what has an index)
     bool repeats = false;
-    bool valueless = false;  // stands without a value: DIAMONA[X]
+    bool valueless = false;  // has no value: DIAMONA[X]
 };
 
 // What a call of a function or procedure passes.

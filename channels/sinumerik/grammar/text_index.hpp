@@ -22,11 +22,11 @@ struct Structure {
 class TextIndex {
 public:
     void build(LineSource& source);
-    // The structure that a statement at this line belongs to; nullptr: it stands alone.
+    // The structure that a statement at this line belongs to; nullptr: it is outside all.
     const Structure* at(std::uint64_t offset) const;
     // Lines with this label, ascending.
     const std::vector<TextPosition>* label(std::string_view upper_name) const;
-    // Which structure keyword stands alone; nothing: all match.
+    // Which structure keyword has no partner; nothing: all match.
     struct Lonely {
         TextPosition position;
         std::string keyword;

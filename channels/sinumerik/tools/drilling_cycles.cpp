@@ -3,7 +3,7 @@
 // (sinumerik_part1 4.3); what their parameters mean is the control's own:
 //   RTP retract plane, RFP surface, SDIS distance in front of it (no sign), DP bottom or DPR depth
 //   below RFP (no sign), DTB dwell in seconds (negative: revolutions), FFR and RFF feeds in and
-//   out. Lengths lie along the axis that stands on the working plane.
+//   out. Lengths lie along the axis perpendicular to the working plane.
 #include <algorithm>
 #include <cmath>
 

@@ -102,7 +102,7 @@ bool Interpreter::managed_tool() {
     return false;
 }
 
-// The column of the tool table that the variable stands for, and its value now.
+// The column of the tool table that the variable means, and its value now.
 bool Interpreter::monitoring(const std::string& name, const std::vector<Value>& indices,
                              const char* from, std::size_t length, std::string& field,
                              double& value) {

@@ -244,7 +244,7 @@ bool Interpreter::p_tca(Call& c) {
     return call_tool(number, ToolCallBy::Forced);
 }
 
-bool Interpreter::p_tml(Call& c) {  // TML(location): the tool that stands there
+bool Interpreter::p_tml(Call& c) {  // TML(location): the tool that is there
     if (c.number(0) != std::floor(c.number(0))) return fail(Alarm::PointForbidden, "TML");
     return call_tool(static_cast<std::int64_t>(c.number(0)), ToolCallBy::Location);
 }

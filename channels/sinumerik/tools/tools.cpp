@@ -36,7 +36,7 @@ bool Interpreter::changes_tool() const {
 
 bool Interpreter::select_tool(const Word& word) {
     std::int64_t number = 0;
-    // T has been told already (managed_tools.cpp); with M6 the tool is known behind the change
+    // T has been output already (managed_tools.cpp); with M6 the tool is known behind the change
     if (managed()) {
         modal_.tool_selected =
             settings_.tool_by_m6 ? 0
@@ -248,7 +248,7 @@ bool Interpreter::a_tool_axis_offset(const Word& word) {
     return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
 }
 
-// DL: which of the edge's sum and set-up offsets ($TC_SCP, $TC_ECP) count beside its values; D
+// DL: which of the edge's sum and set-up offsets ($TC_SCP, $TC_ECP) count besides its values; D
 // takes it back.
 bool Interpreter::a_sum_offset(const Word& word) {
     const double n = word.number();

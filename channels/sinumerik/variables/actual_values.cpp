@@ -16,7 +16,7 @@ bool Interpreter::axis_argument(Call& c, std::size_t k, std::string_view name, s
     return true;
 }
 
-// PRESETON, PRESETONS(axis, value ...): where the axis stands is called `value` now. The drive's
+// PRESETON, PRESETONS(axis, value ...): the axis' position is called `value` now. The drive's
 // own position stays, so the limits of the machine keep their meaning; SUPA puts the difference
 // away.
 bool Interpreter::p_preset(Call& c) {
@@ -134,8 +134,8 @@ bool Interpreter::p_overlay_off(Call& c) {
     return p_stopre(c);
 }
 
-// RELEASE(axis): nobody may move it until GET or GETD takes it back. Axes of other channels cannot
-// be taken here.
+// RELEASE(axis): no channel may move it until GET or GETD takes it back. Axes of other channels
+// cannot be taken here.
 bool Interpreter::p_axis_exchange(Call& c) {
     const std::string_view name = block_.procedures.front().first->name;
     for (std::size_t k = 0; k < c.arguments.size(); ++k) {

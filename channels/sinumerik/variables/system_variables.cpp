@@ -36,7 +36,7 @@ int grinding_parameter(std::string_view name) {
 
 }  // namespace
 
-// The name behind $ and its indices; the cursor stands at $.
+// The name behind $ and its indices; the cursor is at $.
 bool Interpreter::system_name(std::string& name, std::vector<Value>& indices) {
     const char* const from = cursor_.at();
     cursor_.advance(1);
@@ -277,7 +277,7 @@ bool Interpreter::system_value(Value& value) {
             value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)) - path.preset[i]);
         return true;
     }
-    // where the probe of MEAS stopped the axis, before braking; else where it stands
+    // where the probe of MEAS stopped the axis, before braking; else its position
     if (name == "$AA_MM" || name == "$AA_MW") {
         if (place(0) < 0 || place(0) >= kSpindleAxis)
             return fail_at(Alarm::AxisArgumentMissing, from, length, name);
@@ -481,7 +481,7 @@ bool Interpreter::parse_system_assignment() {
     return expression(value) && write_system(name, indices, std::move(value), from, length, at);
 }
 
-// `from`, `length`: where the name stands, `at`: the value.
+// `from`, `length`: where the name is, `at`: the value.
 bool Interpreter::write_system(const std::string& name, const std::vector<Value>& indices,
                                Value value, const char* from, std::size_t length, const char* at) {
     core_.did();

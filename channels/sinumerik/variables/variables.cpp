@@ -20,7 +20,7 @@ Reference Interpreter::find_variable(std::string_view name) const {
     return {};
 }
 
-// A variable with its index at the cursor. When none stands there, the cursor stays and the
+// A variable with its index at the cursor. When there is none, the cursor stays and the
 // reference is null.
 bool Interpreter::reference_ahead(Reference& reference) {
     reference = {};

@@ -22,7 +22,7 @@ struct Variable {
     std::string name;  // as declared, capital letters
 };
 
-// One element of a variable: what stands to the left of =, and what a VAR parameter refers to.
+// One element of a variable: what is to the left of =, and what a VAR parameter refers to.
 struct Reference {
     std::shared_ptr<Variable> variable;
     std::size_t element = 0;
