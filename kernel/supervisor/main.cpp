@@ -1,4 +1,4 @@
-// The `polyturn` command: what it can do stands in docs and in cli.md.
+// The `polyturn` command: its functions are described in docs and in cli.md.
 #include <csignal>
 
 #include "kernel/supervisor/base/options.hpp"

@@ -1,4 +1,4 @@
-// A process that this one starts: beside it in bin/, watched by its pidfd; dies with it, or ends in
+// A child process: its program is in the same bin/, watched by its pidfd; dies with it, or ends in
 // order behind it.
 #pragma once
 #include <sys/types.h>

@@ -248,7 +248,7 @@ std::uint64_t Controller::send(Command command, std::int64_t tick) {
     }
     while (!send_kept() || !commands_->push(command)) {
         own().bell.ring();
-        // nobody will read it
+        // it will not be read
         if (end_requested() || children_[kProcessKernel].reap() ||
             !children_[kProcessKernel].running())
             return command.seq;
@@ -425,7 +425,7 @@ void Controller::look_for_successors(const std::function<void(const Diagnosis&)>
     std::erase_if(awaited_, [&](const auto& one) {
         const auto& [slot, until] = one;
         Child& child = children_[slot];
-        if (!child.running()) return true;  // watch() tells
+        if (!child.running()) return true;  // watch() reports it
         const auto number = static_cast<unsigned>(slot - kProcessChannel + 1);
         auto peer = PeerSegment<ChannelSegment>::attach(plan_.instance, number,
                                                         std::chrono::milliseconds(0));
@@ -458,7 +458,7 @@ void Controller::wait(std::uint32_t seen, std::int64_t timeout_us, int spins) co
 void Controller::stop_kernel(int timeout_ms) {
     if (!kernel_ || !running(kProcessKernel)) return;
     Child& kernel = children_[kProcessKernel];
-    // one that stands still could neither take the command nor stop an axis
+    // a stopped one could neither take the command nor stop an axis
     kernel.signal(SIGCONT);
     Command end{};
     end.kind = static_cast<std::uint32_t>(CommandKind::EndRun);

@@ -3,7 +3,7 @@
 //
 // Order of the start: supervisor's segment, toolmgmt (parameters and offsets), kernel, PLC,
 // channels. Every process dies with this one. A process counts as dead only when it has been reaped
-// (architecture 4.4); then the kernel is told.
+// (architecture 4.4); then the kernel is notified.
 #pragma once
 #include <chrono>
 #include <deque>
@@ -53,7 +53,7 @@ public:
     // Sends a command that acts at `tick` (0: at the next one). Returns its number. Waits for room
     // while the kernel lives: for runs.
     std::uint64_t send(Command command, std::int64_t tick = 0);
-    // All of them or none, at the next tick. Nobody is waited for: a stop has room that others
+    // All of them or none, at the next tick. It does not wait: a stop has room that others
     // leave it.
     static constexpr std::size_t kKeptForStops = 16;
     [[nodiscard]] bool try_send(const std::vector<Command>& commands, bool stop);
@@ -75,7 +75,7 @@ public:
     void forget_requests();
     void forget_taken_requests();  // passwords do not stay in shared memory
 
-    // Reaps what has died and tells the kernel. on_death(slot, status) once for each.
+    // Reaps dead processes and notifies the kernel. on_death(slot, status) once for each.
     void watch(const std::function<void(std::size_t slot, int status)>& on_death);
     void act(const ProcessAction& action,
              const std::function<void(std::size_t slot, int status)>& on_death);
@@ -94,7 +94,7 @@ public:
 
     // Controlled end: the kernel brings everything to rest; then all processes end. Who does not
     // end in time is killed: the kernel and the store after `timeout_ms` each, the others after a
-    // second each. One that stands still (SIGSTOP) is woken first.
+    // second each. One that is stopped (SIGSTOP) is woken first.
     void stop(int timeout_ms);
     void stop_kernel(int timeout_ms);  // the first half
 

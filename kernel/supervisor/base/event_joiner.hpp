@@ -54,7 +54,7 @@ public:
     std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
     void end(unsigned channel, std::uint64_t number, double t_s);
     // The channel was reset or has died: what was under way has ended here. Notes stay: those of
-    // the next start may be here before the log tells of this end, and what was discarded with its
+    // the next start may be here before the log has this end, and what was discarded with its
     // records is dropped when a later one begins.
     void close_channel(unsigned channel, double t_s);
     // A successor of the channel's process counts its notes from the beginning.

@@ -19,7 +19,7 @@ public:
         if (live_ || buffer_.size() >= kFull) flush();
     }
     void flush();
-    bool broken() const { return broken_; }  // nobody reads any more
+    bool broken() const { return broken_; }  // the reader has gone
 
 private:
     static constexpr std::size_t kFull = 1 << 16;

@@ -1,6 +1,6 @@
 // Which files somebody may name to a running controller. It reads them with its own rights, and
-// what is wrong with a file is told with the line at fault: without a limit an operator could have
-// any file of the computer read out to him.
+// what is wrong with a file is reported with the line at fault: without a limit an operator could
+// have any file of the computer read out to him.
 //
 //   operator and below   program folders: where the controller was started, PT_PROGRAM_FOLDERS, the
 //                        examples that come with it,

@@ -141,7 +141,7 @@ private:
         if (options_.variables) arguments.push_back("--variables");
         arguments.insert(arguments.end(), {"--most-blocks", std::to_string(options_.most_blocks)});
         if (!shared_path_.empty()) arguments.insert(arguments.end(), {"--shared", shared_path_});
-        // nobody else can have started its spindle
+        // no other channel can have started its spindle
         if (plan_.programs.size() == 1) arguments.push_back("--alone");
         arguments.push_back(program.file);
         return Child::start("polyturn-channel", arguments, {true, true});
@@ -205,7 +205,7 @@ private:
         }
     }
 
-    // In channel number order, each to its next wait; complete sets go on. When nobody can, the
+    // In channel number order, each to its next wait; complete sets go on. When none can, the
     // rest is read without regard to waits, so that a fault is named with what follows it.
     void interleave() {
         bool behind = false;
@@ -225,7 +225,7 @@ private:
                         }
                     } else if (!interpreter.ended && interpreters_.size() == 1) {
                         let_go(interpreter);
-                        matcher_ = {};  // one program alone: nobody to match with
+                        matcher_ = {};  // one program alone: no partner
                     }
                 }
             }

@@ -156,7 +156,7 @@ private:
         }
         const std::string path = in_memory("like.params", like->parameter_lines);
         plan_.source.param_files.insert(plan_.source.param_files.begin(), path);
-        // PLC, room and messages too are those that would be driven with
+        // PLC, machine model and messages too are those that would be driven with
         if (options_.machine.empty() && !like->machine.empty())
             plan_.source.machine = like->machine;
         like_ = std::move(like->setup);
@@ -224,7 +224,7 @@ private:
         const bool job_zeros = plan_.job && !plan_.job->zeros.empty();
         if (!job_zeros && options_.like.empty()) return;
         // Zeros of the job and what --like copies come to the setup's; the other processes read the
-        // whole from one file. What stands in the controller that --like names is what would be
+        // whole from one file. The state of the controller that --like names is what would be
         // driven there, so the job's own files do not speak of it; a setup that the command line
         // names is said for this run.
         if (options_.setup.empty())

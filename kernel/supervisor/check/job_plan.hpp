@@ -1,5 +1,5 @@
 // What check and run work on, read and checked: machine, programs by channel, setup, job. Whatever
-// is wrong is told before anything starts.
+// is wrong is reported before anything starts.
 #pragma once
 #include <map>
 #include <memory>

@@ -87,7 +87,7 @@ text::ToolSetup setup_of(const ToolTable& tools, const ToolEdgeTable& edges, std
 }
 
 // What the channel's T calls find, as the store's own search says it: a station means the tool that
-// stands there or a sister of its name, an empty or used up one a tool without name and edges; what
+// is there or a sister of its name, an empty or used up one a tool without name and edges; what
 // a name alone finds comes behind the stations.
 Result<std::map<int, text::ToolSetup>> tools_of_channel(const std::string& instance,
                                                         unsigned channel, const ToolTable& tools,
@@ -113,8 +113,8 @@ Result<std::map<int, text::ToolSetup>> tools_of_channel(const std::string& insta
     return out;
 }
 
-// As --machine names it: the supervisor tells where the tables and the room lie, without the ending
-// (RunOptions::machine_folder).
+// As --machine names it: the supervisor reports where the tables and the machine model lie, without
+// the ending (RunOptions::machine_folder).
 std::string machine_of(const std::string& instance) {
     const auto supervisor = PeerSegment<SupervisorSegment>::attach(instance);
     if (!supervisor) return {};

@@ -1,11 +1,11 @@
 // Which spindles certainly turn where a program comes to in `polyturn check`, which knows no time?
-// A channel knows what it has commanded itself, and by each meeting all that its partners knew
+// A channel knows what it has commanded itself, and by each rendezvous all that its partners knew
 // there. Of what two of them knew the later command counts.
 //
 //   L1  M3 S1 ---- M500 ---- M5 --- M501 ----        behind M500 L2 knows that S1 turns; M5 it learns at M501
 //   L2  ---------- M500 -- G1 F0.2 - M501 ----
 //
-// Weakness: a partner that stops the spindle between two meetings is learnt of at the next one
+// Weakness: a partner that stops the spindle between two rendezvous is learnt of at the next one
 // only.
 #pragma once
 #include <array>
@@ -25,7 +25,7 @@ public:
 
 private:
     struct Fact {
-        std::uint64_t order = 0;  // 0: nobody has commanded it
+        std::uint64_t order = 0;  // 0: no channel has commanded it
         bool turns = false;
     };
     std::array<std::array<Fact, kMaxSpindles>, kMaxChannels> facts_{};

@@ -97,7 +97,7 @@ std::vector<unsigned> WaitMatcher::meet() {
                     marked |= bit_of(other);
             }
             if ((here | marked) != set) continue;
-            // a set of one channel passes at once and is no meeting
+            // a set of one channel passes at once and is no rendezvous
             if (set != bit_of(channel) && wait->code != kProgramEnd) ++meetings_;
             const std::string code = wait->code;
             for (unsigned other = 1; other <= 32; ++other)
@@ -117,7 +117,7 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
     for (const auto& [channel, track] : tracks_) {
         const WaitPoint* wait = standing(channel);
         if (!wait || wait->code == kProgramEnd) continue;
-        // A partner that stands at the same code with another set, or will next come to it with
+        // A partner that is at the same code with another set, or will next come to it with
         // another one.
         std::vector<unsigned> members;
         bool different = false;
@@ -218,7 +218,7 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
 }
 
 bool WaitMatcher::report_cycle(std::vector<WaitFault>& faults) {
-    // Every partner will come; so each that stands waits for one that stands at another code.
+    // Every partner will come; so each stopped channel waits for one that is at another code.
     // Follow that until it closes.
     unsigned at = 0;
     for (const auto& [channel, track] : tracks_)

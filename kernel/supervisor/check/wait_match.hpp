@@ -1,17 +1,17 @@
 // Do the waits of several programs fit together? (architecture 7). Works on what each channel does
-// in order, without time: a wait is met when every channel of its set stands at the same code with
+// in order, without time: a wait is met when every channel of its set is at the same code with
 // the same set.
 //
 //   Meeting   all channels of a set at the same (code, set): they go on together.
-//   Faults, found when nobody can go on (each named once; then matching goes on as if it were
+//   Faults, found when no channel can go on (each named once; then matching goes on as if it were
 //   repaired):
 //     different sets   two channels stand at, or will come to, the same code with different sets
 //     absent           a channel of the set has no program
 //     unpaired         a channel of the set never comes to the code
 //     cycle            everybody will come, but each waits for another first
 //
-// The order of meetings does not matter: meeting one set never hinders another, so the result is
-// unique.
+// The order of rendezvous does not matter: releasing one set never hinders another, so the result
+// is unique.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -41,7 +41,7 @@ class WaitMatcher {
 public:
     // Its program begins, or another one behind it (START).
     void begin(unsigned channel);
-    // The channel has come to its next wait. Arrivals may run ahead of meetings.
+    // The channel has come to its next wait. Arrivals may run ahead of rendezvous.
     void arrive(unsigned channel, WaitPoint wait);
     // A marker that the channel sets counts as its arrival at that code, until it waits there
     // itself. When it clears the marker again is not known without time: a partner is taken to have
@@ -62,7 +62,7 @@ public:
 private:
     struct Track {
         std::vector<WaitPoint> waits;
-        std::size_t next = 0;  // waits[next] is where it stands
+        std::size_t next = 0;  // waits[next] is its position
         bool ended = false, broken = false;
         std::set<std::string> markers;
         std::uint64_t arrived = 0;  // order of arrival at `next`

@@ -1,5 +1,5 @@
 // The picture of a run (SVG): tool paths of all channels against stock, chuck and centre line, and
-// below it the timeline of the channels with their meetings.
+// below it the timeline of the channels with their rendezvous.
 //
 //   plot.cpp            the sheet: title, panels, legend
 //   plot_svg.hpp/.cpp   elements as text, nothing else

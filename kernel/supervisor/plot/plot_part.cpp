@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kArcStep_rad = 4.0 * std::numbers::pi / 180.0;
 
-// "grooving 3 mm" -> 3; 0 when the name tells no width of a groove.
+// "grooving 3 mm" -> 3; 0 when the name has no width of a groove.
 double groove_width(const std::string& name) {
     if (name.find("groov") == std::string::npos && name.find("Groov") == std::string::npos &&
         name.find("part") == std::string::npos)

@@ -9,7 +9,7 @@
 
 namespace polyturn::supervisor {
 
-// A straight piece of a tool's way; arcs come as many.
+// A straight piece of a tool's path; arcs come as many.
 struct PlaneSegment {
     unsigned channel = 0;
     Doing doing = Doing::Cut;

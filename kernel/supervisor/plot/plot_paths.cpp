@@ -158,7 +158,8 @@ struct PathPanel::Parts {
             const PlaneSegment& head = segments[i];
             std::vector<Pixel> points{at(frame, head.channel, head.from)};
             std::size_t k = i;
-            // Channels alternate in the record; a way goes on where its channel's last piece ended.
+            // Channels alternate in the record; a path goes on where its channel's last piece
+            // ended.
             for (; k < segments.size() && segments[k].channel == head.channel &&
                    segments[k].doing == head.doing;
                  ++k)
@@ -214,7 +215,8 @@ struct PathPanel::Parts {
 PathPanel::PathPanel(const RunRecord& record, const JobPlan& plan, double width)
     : parts_(new Parts{plan, plane_segments(record, plan), {}, {}, {}, {}}) {
     Parts& p = *parts_;
-    std::vector<Diagnosis> ignored;  // a room that cannot be read was reported when the machine was
+    std::vector<Diagnosis> ignored;  // a machine model that cannot be read was reported when the
+                                     // machine was
     const Room room = load_room(plan.room_file, *plan.machine, ignored);
     for (const auto& [channel, program] : plan.programs) {
         const AxisConfig* x = find_axis(*plan.machine, channel, PlaneRole::BasicX);

@@ -1,6 +1,6 @@
-// What `polyturn` says to people beside alarms: the report of a run, status, lists. In the language
-// of display_language_now(). The English text is the key, so that a call reads like what it prints;
-// {} stand in the same order in all languages.
+// Texts of `polyturn` for people besides alarms: the report of a run, status, lists. In the
+// language of display_language_now(). The English text is the key, so that a call reads like what
+// it prints; {} stand in the same order in all languages.
 #pragma once
 #include <span>
 #include <string>

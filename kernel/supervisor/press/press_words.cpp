@@ -555,7 +555,7 @@ Result<Commands> parse_press(std::string_view words, const MachineConfig& machin
 }
 
 namespace {
-// What stands behind the name of the word, if the words are of that name.
+// What follows the name of the word, if the words are of that name.
 std::optional<std::string_view> argument_of(std::string_view words, std::string_view wanted) {
     words = trimmed(words);
     const std::string_view name = words.substr(0, words.find_first_of(" \t"));

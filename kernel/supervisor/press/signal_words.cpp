@@ -102,7 +102,7 @@ std::optional<std::uint32_t> whole_number(std::string_view digits) {
     return number;
 }
 
-// What may stand behind the name, to be shown where something else stood there.
+// What may follow the name, to be shown when something else was found.
 std::string possible(const SignalRow& row) {
     if (row.elements)
         return fmt::format("{0}[{1}] to {0}[{2}] are possible", row.name, row.first,

@@ -11,7 +11,7 @@
 
 namespace polyturn::supervisor {
 
-// `name`: what stands before the equals sign.
+// `name`: the text before the equals sign.
 Result<Command> parse_store_value(std::string_view name, std::string_view value,
                                   const MachineConfig& machine);
 // The same as a request of the store, which answers when it is on disk.

@@ -238,7 +238,7 @@ void RunSession::take(const KernelEvent& event) {
             react(joiner_.plain(0, t_s, machine_event(event)), t_s);
             break;
         case KernelEventKind::Message:
-            if (event.code < 0) break;  // the program's own words: its note has told them
+            if (event.code < 0) break;  // the program's own words: its note has reported them
             take_alarm(event, t_s);
             break;
         case KernelEventKind::Alarm:
@@ -311,8 +311,8 @@ void RunSession::take_stopped(const KernelEvent& event, double t_s) {
     if (reason == StopReason::Death) replace_channel(event.channel);
 }
 
-// Who is started when a channel stands: itself; at the block of a restart all that restart with it,
-// when the last of them is there.
+// The channels that are started when a channel is stopped: itself; at the block of a restart all
+// that restart with it, when the last of them is there.
 std::vector<unsigned> RunSession::to_start(unsigned channel, StopReason reason) {
     const std::uint32_t bit = 1u << (channel - 1);
     at_block_ &= ~bit;
@@ -426,7 +426,7 @@ void RunSession::take_action(const KernelEvent& event) {
 }
 
 // A kernel that a scenario has stopped for a while goes on by itself: meanwhile nothing is expected
-// of it. True while it stands.
+// of it. True while it is stopped.
 bool RunSession::stands_on_purpose() {
     if (!thaw_at_) return false;
     if (Clock::now() < *thaw_at_) return true;
@@ -556,8 +556,8 @@ void RunSession::watch_progress() {
     done_ = stopped_short_ = true;
 }
 
-// In real time nobody says that nothing can go on: when no channel has run for a while and nothing
-// is planned, it is so.
+// In real time no process reports that nothing can go on: when no channel has run for a while and
+// nothing is planned, it is so.
 void RunSession::watch_real_time() {
     const auto now = Clock::now();
     MachineStatus status;

@@ -23,7 +23,7 @@ struct WatchedSignal {
     bool is_double = false;
 };
 
-// What is wanted beside the job itself, already understood.
+// What is wanted besides the job itself, already understood.
 struct RunRequests {
     std::vector<WatchedSignal> watch;
     std::map<unsigned, double> feed_override;  // 1 is 100 %
@@ -103,12 +103,12 @@ private:
     std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
     // channels that restart: with whom (bit 0 is channel 1)
     std::map<unsigned, std::uint32_t> restarts_;
-    std::uint32_t at_block_ = 0;                  // of these, who stands at its block
+    std::uint32_t at_block_ = 0;                  // of these, the ones at their blocks
     std::multiset<std::int64_t> sent_ticks_;      // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;  // cycle starts still to come
     // origin: tick of the cycle start, once it is known
     std::int64_t origin_ = INT64_MAX, log_tick_ = 0;
-    // the kernel's first Idle: it stands until we have answered it
+    // the kernel's first Idle: it is stopped until it is answered
     std::uint64_t idle_seq_ = 0;
     std::int64_t end_tick_ = INT64_MAX;  // the last tick of the run, once it is known
     double tick_s_ = 0.001, end_s_ = 0.0;

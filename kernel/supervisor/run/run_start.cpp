@@ -111,8 +111,8 @@ Result<void> RunSession::start() {
 }
 
 // A new machine ticks until PLC and drives have come to rest, always equally long. There virtual
-// time stands, and from there the cycle start is counted, so that all runs are alike however long
-// the processes took to start.
+// time is stopped, and from there the cycle start is counted, so that all runs are alike however
+// long the processes took to start.
 Result<void> RunSession::await_first_idle() {
     const auto until = Clock::now() + std::chrono::seconds(30);
     std::vector<KernelEvent> early;

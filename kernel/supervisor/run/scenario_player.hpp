@@ -21,7 +21,7 @@ namespace polyturn::supervisor {
 struct ProcessAction {
     enum class Kind { Kill, Stop, Continue } kind = Kind::Kill;
     std::size_t slot = 0;  // kProcessKernel ...
-    // Stop of the kernel: its time stands with it, so the wall's says when it goes on; 0: somebody
+    // Stop of the kernel: its time stops with it, so the wall's says when it goes on; 0: somebody
     // else does
     double for_s = 0.0;
 };

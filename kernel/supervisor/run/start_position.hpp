@@ -7,7 +7,7 @@
 namespace polyturn::supervisor {
 
 // Fills start_known and start_position (true units: X as a radius).
-// Where the kernel finds what lies beside the parameter file: its path without the extension.
+// Where the kernel finds the files next to the parameter file: its path without the extension.
 void set_machine_files(const std::string& params_file, RunOptions& options);
 void set_start_positions(const JobPlan& plan, RunOptions& options);
 

@@ -6,7 +6,7 @@
 namespace polyturn::supervisor {
 
 namespace {
-constexpr double kSameTime_s = 0.0015;  // channels of a meeting leave in the same tick
+constexpr double kSameTime_s = 0.0015;  // channels of a rendezvous leave in the same tick
 constexpr double kShortest_s = 0.01;    // shorter waits are no waits for people
 }  // namespace
 

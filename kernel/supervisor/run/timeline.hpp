@@ -15,7 +15,8 @@ struct WaitSpan {
     double t_s = 0.0, end_s = 0.0;
     std::string code, file;
     std::uint32_t line = 0;
-    unsigned last = 0;  // the channel that came last to the meeting; 0 when nobody was waited for
+    unsigned last = 0;  // the channel that came last to the rendezvous; 0: no channel was waited
+                        // for
     double seconds() const { return end_s - t_s; }
 };
 
@@ -40,7 +41,7 @@ struct Meeting {
 struct Advice {
     WaitSpan wait;
     Pass pass;
-    double gain_s = 0.0;  // the meeting would come so much earlier
+    double gain_s = 0.0;  // the rendezvous would come so much earlier
 };
 
 std::vector<WaitSpan> wait_spans(const RunRecord& record);

@@ -75,7 +75,7 @@ void RequestServer::accept_all(int listener) {
                                                           : kKeptForRoot);
         const bool room =
             connections_.size() < most && (!guest || his < static_cast<std::ptrdiff_t>(kOfGuest));
-        if (!may || !room) {  // told before it is closed, so that whoever asked knows why
+        if (!may || !room) {  // reported before it is closed, so that the client knows why
             const std::string why =
                 (may ? refusal({Alarm::RequestTooMany,
                                 {},
@@ -172,7 +172,7 @@ void RequestServer::decoded(Client client, Line& line, Result<Request> done) {
         answer(client, refusal(done.diagnosis()));
 }
 
-// Long ones elsewhere: nobody waits for them but their own connection.
+// Long ones elsewhere: only their own connection waits for them.
 void RequestServer::decode(std::uint64_t number, Line& line) {
     const Client client = number << kLineBits | line.number;
     if (line.size <= kDecodedAtOnce || !decoder_)
@@ -349,7 +349,7 @@ void RequestServer::answer(Client client, std::string line) {
     Connection& connection = found->second;
     const auto number = static_cast<std::uint32_t>(client);
     if (connection.held_by == number) connection.held_by = -1;
-    if (number < connection.told) return;  // told already
+    if (number < connection.told) return;  // reported already
     if (line.empty() || line.back() != '\n') line += '\n';
     const std::size_t size = line.size();
     if (!connection.early.try_emplace(number, std::move(line)).second) return;

@@ -1,7 +1,7 @@
 // The one door through which short-lived programs ask a running controller for something: a Unix
-// socket (ipc/memory/controller_door), one JSON object a line each way. Who asks is told by the
-// kernel of the operating system (SO_PEERCRED): the owner of the controller and root may, and users
-// of the controller who are known by their number in the operating system.
+// socket (ipc/memory/controller_door), one JSON object a line each way. The asking user is given by
+// the kernel of the operating system (SO_PEERCRED): the owner of the controller and root may, and
+// users of the controller who are known by their number in the operating system.
 //
 // Nobody waits here for anybody else:
 //   - A stop (RequestClass::Stop) acts as soon as its line has come, before the lines that stand in
@@ -59,7 +59,7 @@ public:
         // answered now by answer(), or later: once for each line, in the order of the connection's
         // lines
         Yes,
-        Holds,  // as Yes, and what stands behind it on its connection waits for its answer
+        Holds,  // as Yes, and later lines of its connection wait for its answer
         // there is no room for it now: it waits in its connection and is offered again, for
         // kOffered
         Later,

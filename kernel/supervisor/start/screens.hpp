@@ -1,6 +1,6 @@
 // The screens that `polyturn start` opens where there is a display. They belong to the controller
-// only in that they end with it: nobody notices when they are closed or die, and they can be opened
-// again by hand (polyturn-hmi).
+// only in that they end with it: it is not noticed when they are closed or die, and they can be
+// opened again by hand (polyturn-hmi).
 #pragma once
 #include <string>
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // A machine that is named, or not even that, is one that comes with Polyturn, an example: a
-// controller that is started with it gets a copy of its own beside its store, so that what is
+// controller that is started with it gets a copy of its own next to its store, so that what is
 // measured there is written there, not into the installed examples. A copy that is there already
 // stays as it is. Whoever gives a path means the files of that path.
 Result<std::string> own_machine(const StartOptions& options) {
@@ -26,7 +26,7 @@ Result<std::string> own_machine(const StartOptions& options) {
     if (options.machine.find('/') != std::string::npos || fs::exists(options.machine, wrong))
         return options.machine;
     const auto path = text::resolve_machine(options.machine);
-    if (!path) return options.machine;  // told where it is loaded
+    if (!path) return options.machine;  // reported where it is loaded
     const fs::path shipped = path->folder;
     const std::string store =
         options.store.empty() ? default_store(options.instance) : options.store;
@@ -101,7 +101,7 @@ int start_controller(const StartOptions& asked) {
         status = session.run();
         stuck = session.stuck();
     }
-    if (stuck) _exit(status);  // nobody waits for it
+    if (stuck) _exit(status);  // it is not waited for
     return status;
 }
 

@@ -182,7 +182,7 @@ void StartSession::loop() {
     }
 }
 
-// The machine first: it comes to rest while the log of stops may still be on its way to a slow
+// The machine first: it comes to rest while the log of stops may still be in transit to a slow
 // disk.
 void StartSession::end() {
     if (!controller_) return;
@@ -201,7 +201,7 @@ void StartSession::end() {
 
 bool StartSession::stuck() const { return workers_.busy() || printer_.busy(); }
 
-// What people are told shows the line of a program, and a terminal may have been halted: not in the
+// Messages for people show the line of a program, and a terminal may have been halted: not in the
 // loop.
 void StartSession::printed(std::function<void()> print) {
     (void)printer_.offer([print = std::move(print)]() -> Workers::Done {
@@ -279,7 +279,7 @@ void StartSession::take(const KernelEvent& event) {
             break;
         case KernelEventKind::Message:
         case KernelEventKind::Alarm: {
-            if (event.code < 0) break;  // the program's own words: its note has told them
+            if (event.code < 0) break;  // the program's own words: its note has reported them
             Diagnosis diagnosis;
             diagnosis.alarm = event.code >= 0 && event.code < kAlarmCount
                                   ? static_cast<Alarm>(event.code)
@@ -310,9 +310,9 @@ void StartSession::take(const KernelEvent& event) {
     }
 }
 
-// In which program the line of an event stands: the channel's last block knows it, a subprogram's
-// perhaps; else the image does while it is still the running one, and the selected program is the
-// best that is known.
+// The program that the line of an event belongs to: the channel's last block knows it, a
+// subprogram's perhaps; else the image does while it is still the running one, and the selected
+// program is the best that is known.
 std::string StartSession::program_of(const KernelEvent& event) const {
     if (std::string file = joiner_.file_of(event.channel, event.line); !file.empty()) return file;
     const ChannelSegment* channel = controller_->channel(event.channel);
@@ -342,7 +342,7 @@ std::string StartSession::builder_words(int number) const {
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// The wall's time, and how many resets its channel has had: an alarm stands until the next one.
+// The wall's time, and how many resets its channel has had: an alarm is active until the next one.
 std::string StartSession::with_when(std::string event_text) const {
     if (event_text.empty() || event_text.back() != '}') return event_text;
     unsigned channel = 0;

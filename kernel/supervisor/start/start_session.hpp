@@ -90,8 +90,8 @@ private:
     void keep_stops(std::vector<Stop> stops);
     void keep_alarms();
 
-    // A program or a job on its way: its files are read, then the machine must be ready for it,
-    // then what the job has otherwise is looked up.
+    // A program or a job that is being selected: its files are read, then the machine must be ready
+    // for it, then what the job has otherwise is looked up.
     struct Selection {
         RequestServer::Client client = 0;
         Who who;
@@ -127,7 +127,7 @@ private:
     StopWatch stops_;
     Screens screens_;
     std::deque<Stop> untold_stops_;          // the store does not take them now
-    std::deque<std::string> unkept_alarms_;  // on their way to the store
+    std::deque<std::string> unkept_alarms_;  // in transit to the store
     std::chrono::steady_clock::time_point next_stop_look_{};
     std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
     std::vector<std::size_t> to_revive_;

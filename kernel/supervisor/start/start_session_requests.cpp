@@ -1,6 +1,6 @@
 // What comes through the socket, one request at a time, decoded already (request.hpp). Nothing in
-// here waits: what needs a file or long computing goes to a worker, what needs the store to the
-// desk, what finds no room comes again.
+// here waits: file work and long computing go to a worker, store requests to the store client; what
+// finds no room is offered again.
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // A program or a job is selected. Its files are read by a worker, then the machine must be ready
 // for it, then it is sent; what the job has otherwise than this controller is looked up behind
-// that, by a worker again, and told with the answer. What the same program on the socket asks
+// that, by a worker again, and reported with the answer. What the same program on the socket asks
 // behind it waits for that answer: no start gets in front of its program.
 #include <fmt/format.h>
 
@@ -80,12 +80,12 @@ struct Read {
     std::optional<text::Job> job;
 };
 
-// The file that is named, and those that a job names. Asked before anything of them is told.
+// The file that is named, and those that a job names. Asked before anything of them is reported.
 Result<void> in_reach(const Reach& reach, const std::string& named, UserLevel level) {
     if (named.empty()) return {};
     if (auto good = reach.may_read(named, level); !good || !text::is_job_file(named)) return good;
     const auto job = text::load_job(named);
-    if (!job) return {};  // told where it is carried out
+    if (!job) return {};  // reported where it is carried out
     for (const auto& [channel, program] : job->programs)
         if (auto good = reach.may_read(program.file, level); !good) return good;
     return job->setup.empty() ? Result<void>() : reach.may_read(job->setup, level);

@@ -22,8 +22,8 @@ void StopWatch::alarm(unsigned channel, std::string number, std::string text) {
     if (channel <= kMaxChannels) alarms_[channel] = {std::move(number), std::move(text)};
 }
 
-// Why it stands; empty: it runs or is not there. What stops everything is named before what stops
-// one channel.
+// The cause of the stop; empty: it runs or is not there. What stops everything is named before what
+// stops one channel.
 std::string_view StopWatch::cause_of(const MachineStatus& status, const ChannelStatus& channel,
                                      bool alarm, bool& runs) {
     const auto state = static_cast<ChannelState>(channel.state);
@@ -74,7 +74,7 @@ bool StopWatch::step(std::int64_t now_ms, const MachineStatus& status, bool alar
     Now& now = now_[channel - 1];
     bool runs = false;
     const std::string_view cause = cause_of(status, is, alarm, runs);
-    // A program that has ended keeps that cause when it is reset afterwards: nobody broke anything
+    // A program that has ended keeps that cause when it is reset afterwards: nothing was broken
     // off.
     const bool same = (now.stop.cause == cause && (cause != "wait" || now.code == is.wait_code)) ||
                       (now.stop.cause == "ended" && cause == "reset");

@@ -1,10 +1,10 @@
 // When channels stand and why: what the log of stops is made of. Looks at the machine some times a
-// second and says which stops have become long enough to be told, and which are over. Knows nothing
-// of clocks, segments or the store, so that tests can play a shift.
+// second and says which stops have become long enough to be reported, and which are over. Knows
+// nothing of clocks, segments or the store, so that tests can simulate a shift.
 //
 // A stop begins with the first look at which its cause holds and ends when the channel runs or
-// another cause holds. Nothing is told of a channel that has not run yet. Shorter stops than kLeast
-// (waits for a partner: kLeastWait, they belong to every program) are not told.
+// another cause holds. Nothing is reported of a channel that has not run yet. Shorter stops than
+// kLeast (waits for a partner: kLeastWait, they belong to every program) are not reported.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Stop {
     std::string number, detail;  // of the alarm; of a wait «M503 L2»; M0, M1
     std::string program;
     std::uint32_t line = 0;
-    double seconds = -1;  // negative: it still stands
+    double seconds = -1;  // negative: it is still stopped
 };
 
 class StopWatch {
@@ -43,7 +43,7 @@ public:
                 now_[channel - 1].stop.program = program(channel);
         return out;
     }
-    // The controller ends: what stands ends with it.
+    // The controller ends: open stops end with it.
     std::vector<Stop> close(std::int64_t now_ms);
 
     static std::string_view cause_of(const MachineStatus& status, const ChannelStatus& channel,
@@ -53,7 +53,7 @@ private:
     struct Now {
         Stop stop;  // cause empty: it runs, or has not yet
         bool ran = false, told = false;
-        // of the wait: the next one is another stop, though nobody saw it run between them
+        // of the wait: the next one is another stop, though it was not seen running between them
         std::int32_t code = 0;
     };
     // true: a stop begins

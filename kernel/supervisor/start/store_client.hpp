@@ -1,9 +1,9 @@
-// Requests on their way to the store and answers on their way back. Nobody waits here: what the
+// Requests to the store and answers from it. Nothing waits here: what the
 // ring has no room for stays in its errand, and an errand that is not answered in its time is
 // answered for the store.
 //
 //   added -> its pieces go into the ring, in the order of the errands -> the last one is answered:
-//   the errand is done out of time: whoever asked is told so; the errand stays until the store has
+//   the errand is done out of time: its asker is notified; the errand stays until the store has
 //   answered it after all, or has died the store dies: what it had not taken is taken back
 //   (Controller::forget_requests) and refused. It is never read again: the first of it may be what
 //   the store died of. Errands of the supervisor's own (the log of stops, alarms) go again, but for
@@ -49,7 +49,7 @@ public:
     void add(Errand errand);
     std::size_t waiting() const { return errands_.size(); }
     bool logging_in() const;
-    // Sends what has room, takes what has been answered, tells who waited too long.
+    // Sends what has room, takes what has been answered, reports who waited too long.
     void move(Controller& controller, Clock::time_point now, const Told& told);
     void store_died(Controller& controller, const Told& told);
     void forget_all(const Told& told);  // everybody starts anew

@@ -1,6 +1,6 @@
-// press teach_thread: a part has been clamped again, the tool stands by hand in the groove of its
-// thread, the spindle with it. Where both stand becomes PT_THREAD_ANGLE and PT_THREAD_AT; with
-// PT_THREAD_PICKUP threads begin where they meet that groove.
+// press teach_thread: a part has been clamped again, the tool has been moved by hand into the
+// groove of its thread, the spindle with it. Where both stand becomes PT_THREAD_ANGLE and
+// PT_THREAD_AT; with PT_THREAD_PICKUP threads begin where they meet that groove.
 #pragma once
 #include <string>
 #include <string_view>

@@ -25,7 +25,7 @@ void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), 
 text::BuilderMessages builder_messages(const std::string& instance) {
     text::BuilderMessages out;
     if (const auto supervisor = PeerSegment<SupervisorSegment>::attach(instance); supervisor)
-        // the controller has told what is wrong in it
+        // the controller has reported what is wrong in it
         if (const std::string base = (*supervisor)->options.machine_folder.data(); !base.empty())
             (void)out.add_file(
                 (std::filesystem::path(base).parent_path() / "messages.csv").string());
@@ -97,7 +97,7 @@ int press_words(const CommandLine& line) {
     Json request;
     request["do"] = line.verb == Verb::Press ? "press" : line.verb == Verb::Set ? "set" : "release";
     request["words"] = line.words;
-    // programs are named from where the caller stands
+    // programs are named from the caller's folder
     request["folder"] = std::filesystem::current_path().string();
     std::string answer;
     if (!ask(line.instance.empty() ? "polyturn" : line.instance,

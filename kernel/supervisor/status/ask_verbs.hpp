@@ -15,12 +15,12 @@ int clean_up();
 void print(std::string_view words);  // on stdout
 // Tells on stderr what was wrong with a command line; the exit code of one that was refused.
 int refuse(const Diagnosis& diagnosis);
-// Sends a request (JSON) and reads the answer; false when it was refused, then the reason stands on
+// Sends a request (JSON) and reads the answer; false when it was refused, then the reason is on
 // stderr.
 bool ask(const std::string& instance, const std::string& request, std::string* answer = nullptr);
 // Those of the machine of a running controller.
 text::BuilderMessages builder_messages(const std::string& instance);
-// The text of an alarm, told in English or the controller's language, in the language of this
+// The text of an alarm, given in English or the controller's language, in the language of this
 // process; lists do not say whose numbers they speak.
 std::string told(const std::string& number, std::string english,
                  const text::BuilderMessages& messages);

@@ -256,7 +256,7 @@ int diff(const ParamsOptions& options) {
     return differences.empty() ? 0 : 1;
 }
 
-// A machine's file is judged with what stands beside it: its room and its measured errors.
+// A machine's file is checked with the files next to it: the machine model and the measured errors.
 int check(const ParamsOptions& options) {
     std::vector<Diagnosis> contradictions;
     if (options.arguments.empty() && !options.instance.empty()) {

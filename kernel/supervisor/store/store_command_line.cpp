@@ -7,7 +7,7 @@ namespace polyturn::supervisor {
 namespace {
 
 struct Action {
-    const char *group, *name, *text, *words;  // words: what stands behind it, for the help
+    const char *group, *name, *text, *words;  // words: what follows it, for the help
     int least, most;                          // how many; -1 any number
 };
 constexpr Action kActions[] = {

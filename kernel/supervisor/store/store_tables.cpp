@@ -73,7 +73,7 @@ std::string cell(const Json& row, const char* key) {
     return at->dump();
 }
 
-// "37.5 of 60 min": the unit always stands beside a life.
+// "37.5 of 60 min": the unit always follows a life.
 std::string life(const Json& tool) {
     // in the table "unit" is the tool unit, a number
     const std::string unit =

@@ -266,7 +266,7 @@ Json users_operation(const StoreOptions& o, std::string& wrong) {
     return op;
 }
 
-// Sends the operation; false when it was refused and told.
+// Sends the operation; false when it was refused and reported.
 bool send(const std::string& instance, const Json& op, Json& answer) {
     std::string text;
     const Json request = {{"do", "store"}, {"op", op}};
