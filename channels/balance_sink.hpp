@@ -1,7 +1,7 @@
 // Balance cut (fanuc G68, G69 with PT_BALANCE): two turrets on opposite sides of a slender part
 // begin each run of cuts together.
 //
-//   channel 1   ---rapid---|==cut==cut==|--rapid--|==cut==       | a meeting of both, in front of the first cut of a run:
+//   channel 1   ---rapid---|==cut==cut==|--rapid--|==cut==       | rendezvous of both at the first cut of a run:
 //   channel 2   --rapid----|==cut==cut==|-rapid---|==cut==         on the fly where the partner is there already
 //
 // Behind compensation, so that what is inserted there belongs to the run. What slows or holds one
@@ -49,7 +49,7 @@ public:
 
 private:
     void begin(const Move& m, const BlockContext& at) {
-        // interpreted again from a place in the middle (a change in hold): the meeting has been
+        // interpreted again from a point in the middle (a change in hold): the rendezvous is over
         if (at.serial < serial_) cuts_ = true;
         serial_ = at.serial;
         const bool cut = m.kind == MoveKind::Linear || m.kind == MoveKind::ArcCw ||

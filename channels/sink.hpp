@@ -58,7 +58,7 @@ struct BlockContext {
     std::string_view cycle;  // name of the cycle that makes it; empty none
     bool by_code = false;    // within a program that a code has called (N1338 DSM)
     bool statement = false;  // a macro statement: for single block it is no block
-    // place of the axis that runs this by itself, beside the path (B programs); -1: the path does
+    // index of the axis that runs this by itself, asynchronously (B programs); -1: the path does
     // it
     std::int8_t own_axis = -1;
     // and its moves count from where it stands when its program begins
@@ -127,7 +127,7 @@ struct Move {
     bool tap_out = false;          // the way out of the hole
     bool tap_feedforward = false;  // N1503 RFF
     bool offset_alone = false;     // only the tool's offset changes: the contour does not go on
-    // a positioning axis: it goes with its own feed beside the path, and nobody waits
+    // a positioning axis: it moves with its own feed, asynchronously, and is not waited for
     // (Wait::Act::Arrive does)
     bool beside = false;
     bool fixed_stop = false;      // Skip: ends where the axes meet something, too
