@@ -24,7 +24,7 @@ namespace {
 using namespace polyturn;
 
 constexpr auto kTimeout = std::chrono::seconds(30);
-// the supervisor has died, or somebody has told this process to end: the machine stops in order,
+// the supervisor has died, or this process was asked to end: the machine stops in order,
 // then it ends
 // P3: a flag, announces nothing
 std::atomic<bool> alone{false};

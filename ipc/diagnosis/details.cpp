@@ -218,7 +218,7 @@ constexpr auto kDetails = std::to_array<DetailRow>({
       "nagyobb, mint {0} MB"}},
     {{"a zero byte at offset {0}", "нулевой байт на месте {0}", "nulový bajt na místě {0}",
       "nulla bájt a(z) {0}. helyen"}},
-    // restarts of several channels, meetings that are none (kernel/waits/restarts.cpp,
+    // restarts of several channels, rendezvous that are none (kernel/waits/restarts.cpp,
     // channel_commands.cpp)
     {{"L{0} was reset ({1})", "L{0} сброшен ({1})", "L{0} byl resetován ({1})",
       "L{0} resetelve lett ({1})"}},

@@ -216,7 +216,7 @@ enum class KernelEventKind : std::uint32_t {
     ActionDue,
     Tick,          // supervision: the clock
     MachineState,  // value: machine_state, code: MachineStep, text
-    // an axis begins to move beside the path: code axis (from 1), value its target
+    // an axis begins an asynchronous motion: code axis (from 1), value its target
     PositioningBegin,
     PositioningEnd,  // it has come to rest: code axis, value where
 };

@@ -8,7 +8,7 @@ namespace polyturn {
 // The value of an Interrupts record is the whole number whose bit n - 1 watches input n; 0: UINT or
 // MINT as the mask says. Inputs 1 to 4 are the signals INT1 to INT4; with kInterruptByWires in the
 // mask input n is the program's input n as well (#999 + n, $A_IN[n]): a wire of the machine or a
-// bit of CP_UIN. The number of the input that came stands in the event's record above bit 0.
+// bit of CP_UIN. The number of the input that came is in the event's record above bit 0.
 inline constexpr unsigned kInterruptInputs = 32;
 inline constexpr std::uint32_t kInterruptByWires = 1u << 3;
 

@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kStepsAtOnce = 1000;
 // of its own.
 inline constexpr std::int32_t kStepHandedOver = -2;
 
-// Of AxisStatus::flags: a program moves it beside the path, or is going to. It will be where that
+// Of AxisStatus::flags: a program moves it asynchronously, or is going to. It will be where that
 // program sends it.
 inline constexpr std::uint32_t kPositioningOfProgram = 1u << 7;
 

@@ -43,8 +43,8 @@ struct AxisLimits {
     double accel_mm_s2;           // N0400
     double jerk_mm_s3;            // N0400 / N0401; infinite when N0401 is 0
     double normal_accel_mm_s2;    // N0402, across the path
-    double speed_step_mm_s;       // N0309, ceiling of a velocity step at a junction
-    double accel_step_mm_s2;      // N0403, ceiling of an acceleration step between two lines
+    double speed_step_mm_s;       // N0309, limit of a velocity step at a junction
+    double accel_step_mm_s2;      // N0403, limit of an acceleration step between two lines
     double accel_step_arc_mm_s2;  // N0404, the same where an arc takes part
 };
 

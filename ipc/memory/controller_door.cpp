@@ -125,7 +125,7 @@ enum class Found { Nobody, Foreign, Controller };
 
 Found try_one(const Address& address, bool blocking, int& out) {
     Descriptor one(new_socket(blocking ? 0 : SOCK_NONBLOCK));
-    const timeval timeout{30, 0};  // of a controller that stands still the queue is full one day
+    const timeval timeout{30, 0};  // of a stopped controller the queue is full one day
     if (one.fd < 0 ||
         ::setsockopt(one.fd, SOL_SOCKET, SO_SNDTIMEO, &timeout, sizeof timeout) != 0 ||
         ::connect(one.fd, address.any(), address.size) != 0)

@@ -1,7 +1,7 @@
 // The socket on which a controller listens for requests, and how a client makes sure that it is the
 // controller that he speaks to: passwords go through this socket.
 //
-// The socket NAME.sock stands in a folder that belongs to the controller's user and that nobody
+// The socket NAME.sock lies in a folder that belongs to the controller's user and that nobody
 // else can write (checked on the open folder): $RUNTIME_DIRECTORY (a service of systemd),
 // /run/polyturn (root), $XDG_RUNTIME_DIR/polyturn, or /tmp/polyturn-UID. Users of the controller
 // who cannot reach that folder come by the abstract name "@polyturn.NAME", which everybody may

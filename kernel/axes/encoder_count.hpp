@@ -1,4 +1,4 @@
-// Which position an encoder means that tells only the last bits of it (nct_parameters_part1 7.2
+// The position of an encoder that reports only the last bits of it (nct_parameters_part1 7.2
 // N0524, 10.3).
 //
 //   raw  0 ........ 2^bits-1 | 0 ........ 2^bits-1 | 0 ...        what the drive delivers
@@ -13,7 +13,7 @@ namespace polyturn::kernel {
 
 class EncoderCount {
 public:
-    // bits 0 or above 62: the drive tells the whole position, nothing is counted.
+    // bits 0 or above 62: the drive reports the whole position, nothing is counted.
     void begin(unsigned bits, bool keeps_rounds, std::int64_t rounds, std::int64_t near) noexcept {
         bits_ = bits > 62 ? 0 : bits;
         keeps_ = keeps_rounds && bits_ != 0;
@@ -24,7 +24,7 @@ public:
     bool limited() const noexcept { return bits_ != 0; }
     bool known() const noexcept { return known_; }
     std::int64_t range() const noexcept { return std::int64_t{1} << bits_; }
-    // What the drive has told in this exchange.
+    // The drive's report of this exchange.
     std::int64_t take(std::int64_t position) noexcept {
         if (!limited()) {
             known_ = true;

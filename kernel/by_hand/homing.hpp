@@ -7,7 +7,8 @@
 //   B' the same with GOS      ToSwitch -> Stop -> Seek -> Stop -> Shift
 //   C  zero pulse             Seek -> Stop -> Shift
 //   D  coded marks            Seek, Seek -> Stop
-//   E  absolute encoder       at once         F  by its drive: Await AP_RPE      floating: where it stands
+//   E  absolute encoder       at once         F  by its drive: Await AP_RPE      floating: its
+//      position
 //
 // The position of a signal gets its machine coordinate as soon as it is known: the axis then
 // decelerates beyond it, and the position switches work meanwhile.

@@ -5,7 +5,7 @@
 //    v  retract axes move out beside it           v  clear of the part
 //   ...-------.                                 <-------------.
 //              '-.___ Clear: brakes              | Across: the others           then the pass again
-//                     Out: stands                v
+//                     Out: stopped               v
 //
 // The axes leave the thread while the path still follows the spindle, so the tool does not cut a
 // groove; only then the path brakes. Within velocity, acceleration and jerk of each axis. No

@@ -75,7 +75,7 @@ public:
     // Text of the block that the channel began last, and whether there is one: alarms are placed by
     // it.
     const std::string* last_begun(unsigned channel) const;
-    // The file of that block, where it stands in this line: the kernel's own alarms know lines
+    // The file of that block, where it is in this line: the kernel's own alarms know lines
     // only. Empty: it is another block.
     std::string file_of(unsigned channel, unsigned line) const;
 

@@ -37,7 +37,7 @@ struct Interpreter {
     Child child;
     std::string buffer;
     bool ended = false, alarmed = false, killed = false;
-    // for people; an interpreter that refuses its input (status 2) has told them itself
+    // for people; an interpreter that refuses its input (status 2) has reported them itself
     std::string alarm_to_tell;
     std::size_t waits_behind = 0;
 

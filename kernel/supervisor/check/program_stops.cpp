@@ -75,7 +75,7 @@ bool text_holds_program_stop(std::string_view text) {
     return false;
 }
 
-// A name with a bracket behind it; what stands in a comment or a text only costs the time of some
+// A name with a bracket behind it; what is in a comment or a text only costs the time of some
 // processes.
 bool text_starts_programs(std::string_view text) {
     constexpr std::string_view kStart = "START";

@@ -43,7 +43,7 @@ bool matches(const Json& part, const Json& event) {
     return part == event;
 }
 
-// Of a scenario, «mdi» stands for what the operator does until a block by hand runs (cli.md 8): the
+// Of a scenario, «mdi» means what the operator does until a block by hand runs (cli.md 8): the
 // mode, the block alone in the list, the start; all in one tick.
 std::vector<Command> spelled_out(const Command& command) {
     const auto kind = static_cast<CommandKind>(command.kind);

@@ -1,4 +1,4 @@
-// The log of stops and the alarms of all days: what the stop watch and the processes tell goes to
+// The log of stops and the alarms of all days: reports of the stop watch and the processes go to
 // the store, as operations of the supervisor's own.
 #include <cstdio>
 #include <ctime>
