@@ -1,5 +1,5 @@
 // The synchronised view of a job: blocks of the channels beside each other, as they come between
-// two meetings; a meeting is a bridge that all of its channels reach in the same row.
+// two rendezvous; a rendezvous is a bridge that all of its channels reach in the same row.
 //
 //   row   L1      L2
 //    0    N10     N10        blocks: as they stand in RunChannel::blocks
@@ -21,7 +21,7 @@ class AlignedJob {
 public:
     struct Row {
         std::size_t first = 0;   // of its blocks
-        unsigned channel = 0;    // of a meeting: whose wait it is; 0: blocks
+        unsigned channel = 0;    // of a rendezvous: whose wait it is; 0: blocks
         std::size_t wait = 0;    // of that channel
         std::uint32_t here = 0;  // who comes to it; bit 0: L1
         bool comes(unsigned number) const { return (here >> (number - 1) & 1u) != 0; }

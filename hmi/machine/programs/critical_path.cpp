@@ -6,7 +6,8 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr double kTogether = 0.02;  // s: a meeting ends for all of its channels within some ticks
+constexpr double kTogether = 0.02;  // s: a rendezvous ends for all of its channels within some
+                                    // ticks
 
 // The last wait of the channel that ended by then and made it stand; nullptr: it has not stood.
 const RunWait* stoodLast(const RunChannel& channel, double until) {

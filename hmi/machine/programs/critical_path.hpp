@@ -3,7 +3,7 @@
 // whatever becomes shorter elsewhere only waits longer.
 //
 //   L1  ####M501####|....M505.|###          from the end backwards: as long as the channel has not waited, it is its own work; where
-//   L2  ....M501|####|####M505##....        it has waited, the one that came last to the meeting is what it waited for
+//   L2  ....M501|####|####M505##....        it has waited, who came last to the rendezvous is what it waited for
 //       path: L1 to M501, L2 to M505, L1 to the end
 #pragma once
 #include <map>

@@ -15,8 +15,8 @@ namespace {
 
 constexpr qint64 kAlignEveryMs = 250;  // while the run goes on
 
-// Whom a channel has waited for longest at a meeting: who has come to it last; 0: nobody else was
-// there.
+// The channel that another one has waited for longest at a rendezvous: the one that came last; 0:
+// there was no other.
 unsigned lastToCome(const std::map<unsigned, RunChannel>& channels, unsigned waiting,
                     const RunWait& meeting) {
     constexpr double kSame_s = 0.02;  // partners of a rendezvous go on within some ticks
@@ -228,7 +228,7 @@ void Programs::composeTime(Writer& w) {
     double y = top, longest = 0;
     unsigned longestChannel = 0;
     const RunWait* worst = nullptr;
-    // The critical path: a line above the bars, from channel to channel at the meetings.
+    // The critical path: a line above the bars, from channel to channel at the rendezvous.
     const std::vector<RunStretch> path = criticalPath(channels);
     std::map<unsigned, double> above, decides;
     for (const auto& [number, channel] : channels)
