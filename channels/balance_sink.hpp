@@ -1,8 +1,10 @@
 // Balance cut (fanuc G68, G69 with PT_BALANCE): two turrets on opposite sides of a slender part
 // begin each run of cuts together.
 //
-//   channel 1   ---rapid---|==cut==cut==|--rapid--|==cut==       | rendezvous of both at the first cut of a run:
-//   channel 2   --rapid----|==cut==cut==|-rapid---|==cut==         on the fly where the partner is there already
+//   channel 1   ---rapid---|==cut==cut==|--rapid--|==cut==
+//   channel 2   --rapid----|==cut==cut==|-rapid---|==cut==
+//
+// |  rendezvous of both at the first cut of a run: on the fly where the partner is there already
 //
 // Behind compensation, so that what is inserted there belongs to the run. What slows or holds one
 // of the two does so to both while it lasts: kernel, CN_BALANCE.

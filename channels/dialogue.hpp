@@ -1,6 +1,6 @@
 // What a program asks the operator: a page with named values and soft keys. A language fills it,
-// Stop carries it to the machine (StopReason::Dialogue); the channel stands there until a key is
-// pressed, and the answers are read behind the barrier (Port::dialogue_answers).
+// Stop carries it to the machine (StopReason::Dialogue); the channel is stopped there until a key
+// is pressed, and the answers are read behind the barrier (Port::dialogue_answers).
 #pragma once
 #include <cmath>
 #include <string>
@@ -18,7 +18,7 @@ struct DialoguePage {
     std::string title;
     std::vector<Field> fields;       // 32 at the most
     std::vector<std::string> notes;  // 8 at the most
-    // key k (from 1) stands at k - 1; empty: no such key; 16 at the most
+    // key k (from 1) is at k - 1; empty: no such key; 16 at the most
     std::vector<std::string> keys;
 };
 

@@ -1,4 +1,4 @@
-// A port in front of another one: asks it everything. What stands between overrides the few
+// A port in front of another one: asks it everything. A port in between overrides the few
 // questions that it answers itself.
 #pragma once
 #include "channels/port.hpp"

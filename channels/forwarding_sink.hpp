@@ -1,4 +1,4 @@
-// A sink that hands everything on to the next one: what stands between Core and the machine derives
+// A sink that hands everything on to the next one: a stage between Core and the machine derives
 // from it and changes only what it is there for. A new kind of statement reaches the machine
 // through all of them.
 #pragma once

@@ -74,10 +74,10 @@ public:
     // The tool offset in use is gone behind a reset, or else behind the end that the program has
     // come to.
     virtual bool loses_offset(bool /*by_reset*/) const { return false; }
-    // The machine was interrupted by a signal that the program has enabled, and stands. `serial`:
-    // the first block of which not everything is executed, 0 when there is none; `within`: it has
-    // begun. The interrupt program comes next. False: this language, or this block, cannot be
-    // interrupted.
+    // The machine was interrupted by a signal that the program has enabled, and is stopped.
+    // `serial`: the first block of which not everything is executed, 0 when there is none;
+    // `within`: it has begun. The interrupt program comes next. False: this language, or this
+    // block, cannot be interrupted.
     // `input`: the number of the interrupt input that came, where there are several.
     virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) {
         return false;

@@ -1,4 +1,4 @@
-// What a program asks of the world. All answers belong to the barrier at which the runner stands
+// What a program asks of the machine. All answers belong to the barrier at which the runner is
 // (architecture 5.5): the runner reports AtBarrier, the driver waits until everything before it has
 // been executed, then lets it go on; only then are the answers read. In check mode they come from
 // setup and from what the program has commanded itself.
@@ -30,7 +30,7 @@ class Port {
 public:
     virtual ~Port() = default;
     // Machine coordinate (mm, X as a radius; degrees) of a machine axis (from 0); nothing: it
-    // stands where it was commanded.
+    // is where it was commanded.
     virtual std::optional<double> axis_command(unsigned machine_axis) = 0;
     // From where the program goes on behind a barrier: its command too, but nothing for an axis
     // that the program has sent somewhere beside its path and that is not there yet.
@@ -38,8 +38,8 @@ public:
         return axis_command(machine_axis);
     }
     virtual std::optional<double> axis_measured(unsigned machine_axis) = 0;
-    // Where it is: measured while something moves it, and where it was brought while it stands
-    // (what the loop still lags behind is no position).
+    // Where it is: measured while something moves it, and where it was brought while it is at
+    // standstill (what the loop still lags behind is no position).
     virtual std::optional<double> axis_position(unsigned machine_axis) {
         return axis_measured(machine_axis);
     }
@@ -112,7 +112,7 @@ public:
     // The tools of the store as of the last barrier; null: no tool management, or check mode.
     virtual const ToolTable* tool_table() { return nullptr; }
     virtual const ToolEdgeTable* tool_edges() { return nullptr; }
-    // What the operator has answered to the dialogue at whose barrier the program stands.
+    // What the operator has answered to the dialogue at whose barrier the program waits.
     virtual DialogueAnswers dialogue_answers() { return {}; }
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody
     // else?

@@ -118,7 +118,7 @@ void ProgramFiles::add_folders(std::string_view list, const std::string& from) {
     while (!list.empty()) {
         const std::size_t colon = list.find(':');
         const std::string_view one = list.substr(0, colon);
-        // an absolute path stands for itself
+        // an absolute path is taken as it is
         if (!one.empty()) folders_.push_back((fs::path(from) / one).string());
         list = colon == std::string_view::npos ? std::string_view{} : list.substr(colon + 1);
     }

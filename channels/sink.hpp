@@ -61,7 +61,7 @@ struct BlockContext {
     // index of the axis that runs this by itself, asynchronously (B programs); -1: the path does
     // it
     std::int8_t own_axis = -1;
-    // and its moves count from where it stands when its program begins
+    // and its moves count from its position when its program begins
     bool own_by_way = false;
 };
 
@@ -77,7 +77,7 @@ struct Move {
     std::uint8_t skip_input = 0;   // Skip: number of the input; 0 it has a name only
     std::string_view skip_name;    // Skip: name of the input (SKIP, XAE) or its number
     bool skip_release = false;     // Skip: ends when the signal goes
-    // Skip: where the signal comes is told, and the move goes on to its end
+    // Skip: where the signal comes is reported, and the move goes on to its end
     bool skip_passes = false;
     // Skip: ends where something resists with so many thousandths of the rated torque; kTorqueOfPlc
     // as the PLC allows; 0 it does not
@@ -114,7 +114,7 @@ struct Move {
     double lead_path = 0.0;    // mm along the path
     double lead_change = 0.0;  // mm along the lead axis a revolution
     double start_angle = 0.0;  // deg
-    std::int32_t starts = 0;   // 0 not told
+    std::int32_t starts = 0;   // 0 not given
     // Way out of the thread when it is held, mm (radius) of the axis at that place; nobody: a hold
     // acts behind the thread.
     std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
@@ -283,7 +283,7 @@ public:
     virtual void dwell(const Dwell&, const BlockContext&) = 0;
     virtual void aux(const Aux&, const BlockContext&) = 0;
     virtual void spindle(const Spindle&, const BlockContext&) = 0;
-    // the runner then stands AtBarrier
+    // the runner is then AtBarrier
     virtual void wait(const Wait&, const BlockContext&) = 0;
     virtual void variable(const Variable&, const BlockContext&) = 0;
     virtual void offset(const OffsetWrite&, const BlockContext&) = 0;
@@ -300,7 +300,7 @@ public:
     virtual void signal(std::string_view /*name*/, double /*value*/, const BlockContext&) {}
     virtual void tool_write(const ToolWrite&, const BlockContext&) {}
     virtual void life_group(const LifeGroup&, const BlockContext&) {}
-    // everything before must be executed; the runner stands AtBarrier
+    // everything before must be executed; the runner is AtBarrier
     virtual void barrier(const BlockContext&) = 0;
     virtual void block_end(const BlockContext&) = 0;
 };

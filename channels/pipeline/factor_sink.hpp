@@ -8,7 +8,7 @@
 // coordinate (zero, tool) is not multiplied. A circle whose plane has two factors is no circle any
 // more: it is driven in chords.
 //
-// Invariant: axes() is where the axes with a factor are behind the move told last; a move begins
+// Invariant: axes() is where the axes with a factor are behind the last move; a move begins
 // there.
 #pragma once
 #include "channels/forwarding_sink.hpp"

@@ -9,7 +9,7 @@
 // An arc of the plane is none of the machine's and goes through its points, one move to whoever
 // reads events.
 //
-// Invariant: axes_ is where the geometry axes are behind the move told last; a move begins there.
+// Invariant: axes_ is where the geometry axes are behind the last move; a move begins there.
 #pragma once
 #include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"

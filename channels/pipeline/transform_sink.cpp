@@ -172,7 +172,7 @@ void TransformSink::polar(const BlockContext& at) {
     deliver(at);
 }
 
-// The rotary axis stands at an angle from which the linear axis reaches both ends: along the
+// The rotary axis is at an angle from which the linear axis reaches both ends: along the
 // direction to the farther one.
 void TransformSink::through_pole(const BlockContext& at, PlanePoint a, PlanePoint b,
                                  double pole_at) {
@@ -230,7 +230,7 @@ void TransformSink::through_pole(const BlockContext& at, PlanePoint a, PlanePoin
     drive(b, true);
 }
 
-// The tool stands in the pole, so this is no way of it: a move of the rotary axis alone.
+// The tool is in the pole, so this is no travel of it: a move of the rotary axis alone.
 void TransformSink::turn_in_pole(const BlockContext& at, double degrees) {
     const std::uint8_t c = transformation_->kinematics.axis[1];
     out_.kinematics = nullptr;

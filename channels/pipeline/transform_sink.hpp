@@ -5,7 +5,7 @@
 //   A --(--o--)-- B     other side; where it may not, in three moves: to the pole, the rotary axis by itself, on from the pole.
 //        '---'          A line that begins in the pole has its rotary axis turned first, by the shorter way of what is possible.
 //
-// Invariant: axes() is where the axes are behind the move told last; a move begins there.
+// Invariant: axes() is where the axes are behind the last move; a move begins there.
 #pragma once
 #include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"

@@ -410,7 +410,7 @@ public:
     void corner_feed(double feed) {
         if (staged_) stage_->next_feed(feed);
     }
-    // The next block tells where this one ends (a line by its angle): what comes meanwhile waits
+    // The next block decides where this one ends (a line by its angle): what comes meanwhile waits
     // for it.
     bool reserve_move(Alarm lost = {});  // lost: where it is never made
     bool move_reserved() const { return staged_ && stage_->reserved(); }
