@@ -1,7 +1,7 @@
 // What a program asks: its page with named values and soft keys, over the screens while the
 // machine's state stays in sight. It comes up when a dialogue is opened in the chosen channel and
 // nobody types (MainWindow::followDialogue), else the line at the top brings it; Escape or another
-// screen puts it away, the line at the top brings it back. Which page there is stands in the image
+// screen puts it away, the line at the top brings it back. The page is named in the image
 // (ChannelSegment::dialogue); an answer is `press answer`.
 #pragma once
 #include "hmi/app/screen.hpp"

@@ -1,4 +1,4 @@
-// The handbook in the language of the screens: operator.ru.md stands beside operator.md and has the
+// The handbook in the language of the screens: operator.ru.md lies next to operator.md and has the
 // same headings in the same order. A screen asks for a place by the English words; the same place
 // of the other page is the heading, or the name at the head of an item, of the same number.
 #pragma once

@@ -208,7 +208,7 @@ void HelpView::begin(std::size_t slice) {
     if (!complete()) turn_.start(0);
 }
 
-// What is seen is filled first, then what stands above it, then the rest.
+// What is seen is filled first, then what is above it, then the rest.
 void HelpView::layNext() {
     QScrollBar* bar = text_->verticalScrollBar();
     const bool filled = bar->maximum() - bar->value() > text_->height();
@@ -294,7 +294,7 @@ void HelpView::lay(std::size_t slice, bool above) {
     QTextCursor at(document_);
     at.beginEditBlock();
     // A paragraph of its own at the border of two slices; where a table is cut, the next piece
-    // stands right below.
+    // is right below.
     const bool cut = above ? slice + 1 < slices_.size() && slices_[slice + 1].goesOn : own.goesOn;
     if (!above) {
         at.movePosition(QTextCursor::End);

@@ -1,6 +1,6 @@
 // The manual's page for what is shown or chosen: opened by the help key over the screen, closed by
 // it again or by Escape. The page scrolls to the place that is meant; the explanation of the very
-// field, code or alarm stands before it. What is seen first is laid out at once, the rest of the
+// field, code or alarm comes before it. What is seen first is laid out at once, the rest of the
 // page in the turns that follow: below it, then above it, while the place stays where it is.
 #pragma once
 #include <QImage>

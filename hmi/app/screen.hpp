@@ -30,7 +30,7 @@ struct SoftKey {
     // what a key with a question acts on, whole: with another one the first press asked something
     // else
     QString subject = {};
-    // of it, what the question shows; of a key without one, what stands beside its sign
+    // of it, what the question shows; of a key without one, what is next to its sign
     QString object = {};
 };
 

@@ -1,5 +1,5 @@
 // A contour of lines and arcs that is described as a drawing describes it: each element by any data
-// that suffice, alone or together with the elements behind it. What is not told is computed.
+// that suffice, alone or together with the elements behind it. What is not given is computed.
 //
 //   start Z0 X10 | line, angle 180 | arc cw, tangential, R 5, end Z-30 | line, angle 135, X 30
 //                  '-- open alone --'--------- solved together ----------'

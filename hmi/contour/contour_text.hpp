@@ -42,7 +42,7 @@ struct Place {
     bool complete = false;  // the end stands there
 };
 
-// The description that the line stands in, or that begins there.
+// The description that contains the line, or that begins there.
 Place find_contour(const std::vector<std::string>& lines, int line);
 // Nothing: the description cannot be read (somebody has edited it); `fault_line` says where.
 std::optional<Description> read_contour(const std::vector<std::string>& lines, const Place& place,

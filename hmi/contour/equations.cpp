@@ -58,8 +58,8 @@ void Group::count() {
     }
 }
 
-// A direction that is told as well is not told twice: it may be rounded, or follow badly from what
-// lies before.
+// A direction that is given as well does not count twice: it may be rounded, or follow badly from
+// what lies before.
 bool Group::told_tangent(std::size_t i) const {
     const Element& e = contour_->elements[i];
     if (!e.tangent || (i == first_ && !before_)) return false;
@@ -161,8 +161,8 @@ std::vector<Piece> Group::pieces(const Eigen::VectorXd& u) const {
     return out;
 }
 
-// As told where it is told; elsewhere anywhere within reach. Half of the beginnings follow the
-// directions that are told or tangential.
+// As given where it is given; elsewhere anywhere within reach. Half of the beginnings follow the
+// directions that are given or tangential.
 Eigen::VectorXd Group::begin(unsigned seed) const {
     std::uint32_t state = seed * 2654435761u + 12345u;
     const auto chance = [&] {  // -1 to 1

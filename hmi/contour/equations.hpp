@@ -1,9 +1,9 @@
-// What is told of a group of elements, as equations: residuals in mm that are zero where everything
-// told is true.
+// The given data of a group of elements, as equations: residuals in mm that are zero where
+// everything given is true.
 //
 // Unknowns: of a line its end (2), of an arc its end and its centre (4). Each datum is one
 // equation; an arc has one of its own (both ends are equally far from the centre), or two where its
-// sweep is told. An angle is an equation of the straight line, so what points the wrong way is a
+// sweep is given. An angle is an equation of the straight line, so what points the wrong way is a
 // root too: fits() sorts those out.
 #pragma once
 #include <Eigen/Dense>
@@ -21,7 +21,7 @@ public:
     int unknowns() const { return unknowns_; }
     int equations() const { return equations_; }
     Eigen::VectorXd residuals(const Eigen::VectorXd& u) const;
-    // Everything goes the way that is told, and no element is a point.
+    // Everything goes the way that is given, and no element is a point.
     bool fits(const Eigen::VectorXd& u) const;
     std::vector<Piece> pieces(const Eigen::VectorXd& u) const;
     double size() const { return size_; }  // how far apart things are, mm

@@ -15,7 +15,7 @@ namespace polyturn::contour {
 namespace {
 
 constexpr std::size_t kMostTogether = 4, kMostSolutions = 8;
-constexpr double kFitsMm = 0.002;  // told data are rounded to three decimals
+constexpr double kFitsMm = 0.002;  // given data are rounded to three decimals
 constexpr double kExactMm = 1e-6;
 constexpr double kSameMm = 1e-4;
 

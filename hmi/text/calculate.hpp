@@ -1,5 +1,5 @@
 // What an operator may type into any number field: 50/2, 2*(3+1.5), -0,02; and +0.05, which is
-// added to what stands there.
+// added to the present value.
 #pragma once
 #include <optional>
 #include <string_view>

@@ -46,7 +46,7 @@ void speak(DisplayLanguage display_language) {
         QCoreApplication::installTranslator(g_words.get());
 }
 
-// A literal stands where it stands: it is looked up once in each language, then found by its
+// A literal does not move in memory: it is looked up once in each language, then found by its
 // address.
 QString word(const char* english) {
     const auto at = g_known.find(english);

@@ -1,5 +1,6 @@
-// What the controller has told with a number (an alarm of the log, a refusal, a fault of a check),
-// in the language of the screens: its processes speak the machine's language, logs speak English.
+// Texts that the controller has reported with a number (an alarm of the log, a refusal, a fault of
+// a check), in the language of the screens: its processes speak the machine's language, logs speak
+// English.
 #pragma once
 #include <QString>
 

@@ -1,4 +1,4 @@
-// What the table of tools and the offsets tell of a tool about its place at the part: whether it
+// What the table of tools and the offsets say about a tool's position at the part: whether it
 // works at the outside or in a hole, and what diameter it drills. Of a tool that says neither the
 // picture guesses.
 #pragma once

@@ -194,7 +194,7 @@ AlarmEntry AlarmLog::read(const QJsonObject& event) const {
     out.resets = event.value("resets").toInt(-1);
     if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
     out.line = static_cast<std::uint32_t>(event.value("line").toInt());
-    // the kernel's own do not tell the file
+    // the kernel's own do not name the file
     if (out.line)
         out.place += out.place.isEmpty() ? QString("%1 %2").arg(word("line")).arg(out.line)
                                          : QString(":%1").arg(out.line);

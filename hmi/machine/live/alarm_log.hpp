@@ -1,9 +1,9 @@
-// Alarms, warnings and messages since the controller started: read from the supervisor, told in the
-// chosen language. Which of them stand is seen from the image: an alarm of a channel until that
-// channel's next reset (that of a stop of the machine as long as the stop, too), one of the machine
-// until it is ready again, a message until the program goes on, ends or tells another one, a
-// warning until the next reset, a refused key for a while, the machine builder's messages as long
-// as his PLC program tells them.
+// Alarms, warnings and messages since the controller started: read from the supervisor, translated
+// into the chosen language. Which of them stand is seen from the image: an alarm of a channel until
+// that channel's next reset (that of a stop of the machine as long as the stop, too), one of the
+// machine until it is ready again, a message until the program goes on, ends or sends another one,
+// a warning until the next reset, a refused key for a while, the machine builder's messages as long
+// as his PLC program sends them.
 #pragma once
 #include <QDateTime>
 #include <QJsonObject>
@@ -24,7 +24,7 @@ struct AlarmEntry {
     std::int32_t resets = -1;
     bool standing = false;
     std::uint32_t line = 0;  // of the program
-    // the program has stood at it; it stands no more, whatever the image says
+    // the program has stopped at it; it is stopped no more, whatever the image says
     bool held = false, over = false;
     qint64 heard_ms = 0;   // by a clock that is never set; long ago: before these screens
     bool placed = false;   // `resets` is certain

@@ -1,4 +1,4 @@
-// What has been entered at this panel, for Undo. The newest is taken back, unless what stands there
+// What has been entered at this panel, for Undo. The newest is taken back, unless the present value
 // now is not what was entered: a measuring cycle, the wear of a part or another panel has been
 // there since, and that is not taken back. Pressed faster than the store answers, it waits until
 // what was entered before can be seen.

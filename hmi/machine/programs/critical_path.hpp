@@ -2,9 +2,12 @@
 // in. Whatever becomes shorter there makes the cycle shorter, as far as the next chain behind it;
 // whatever becomes shorter elsewhere only waits longer.
 //
-//   L1  ####M501####|....M505.|###          from the end backwards: as long as the channel has not waited, it is its own work; where
-//   L2  ....M501|####|####M505##....        it has waited, who came last to the rendezvous is what it waited for
+//   L1  ####M501####|....M505.|###
+//   L2  ....M501|####|####M505##....
 //       path: L1 to M501, L2 to M505, L1 to the end
+//
+// From the end backwards: as long as the channel has not waited, it is its own work; where it has
+// waited, the channel that came last to the rendezvous is what it waited for.
 #pragma once
 #include <map>
 #include <vector>

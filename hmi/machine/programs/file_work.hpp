@@ -1,4 +1,4 @@
-// Files as the screen of programs handles them: what stands in a folder, places (USB, network,
+// Files as the screen of programs handles them: the content of a folder, places (USB, network,
 // configured ones), transfer with a checksum, protection. All of it may take as long as a network
 // takes: it is called from workers (machine/aside.hpp) only.
 #pragma once

@@ -1,4 +1,4 @@
-// What a program counts lengths in where a cursor stands: forms show and write its unit, whatever
+// The unit of lengths of a program at the cursor: forms show and write its unit, whatever
 // the screens show elsewhere.
 #pragma once
 #include <QStringList>

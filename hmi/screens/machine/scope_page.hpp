@@ -1,4 +1,4 @@
-// The scope: eight signals at tick rate, chosen from everything that the machine can tell, with
+// The scope: eight signals at tick rate, chosen from everything that the machine can report, with
 // trigger and export; and the circularity plot of the circle that was driven last, from the first
 // four traces.
 #pragma once

@@ -1,4 +1,4 @@
-// Going on in the middle of a program: where each channel stood last, where its tool came, and the
+// Going on in the middle of a program: where each channel was last, where its tool came, and the
 // block at which it restarts. The control reads there without moving; the first start shows the
 // approach, the second one cuts (docs/operator.md).
 #pragma once

@@ -1,4 +1,4 @@
-// Folders, USB and network places: what stands there, what is in a job or a program, and what is
+// Folders, USB and network places: their content, what is in a job or a program, and what is
 // done with files: copied with a checksum, compared, protected, renamed, deleted. Reading and
 // writing is done by workers; the screen only shows how far they are.
 #pragma once

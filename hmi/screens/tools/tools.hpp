@@ -1,6 +1,6 @@
 // Tools: the magazines as pictures, all tools as a list with filters, one tool's data, life and
 // forecast, pallets, and what the presetter has measured. A tool is loaded, moved and unloaded by
-// dragging it or by keys; it stands there when the store says so.
+// dragging it or by keys; it is there when the store confirms it.
 #pragma once
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/tools/edge_words.hpp"
