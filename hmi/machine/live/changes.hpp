@@ -1,5 +1,5 @@
 // What has been entered at this panel, for Undo. The newest is taken back, unless the present value
-// now is not what was entered: a measuring cycle, the wear of a part or another panel has been
+// is not what was entered: a measuring cycle, the wear of a part or another panel has been
 // there since, and that is not taken back. Pressed faster than the store answers, it waits until
 // what was entered before can be seen.
 #pragma once
