@@ -1,6 +1,6 @@
 // Alarms, warnings and messages since the controller started: read from the supervisor, translated
 // into the chosen language. Which of them are active is seen from the image: an alarm of a channel
-// until that channel's next reset (that of a stop of the machine as long as the stop, too), one of the
+// until that channel's next reset (of a machine stop: as long as the stop, too), one of the
 // machine until it is ready again, a message until the program goes on, ends or sends another one,
 // a warning until the next reset, a refused key for a while, the machine builder's messages as long
 // as his PLC program sends them.
