@@ -3,6 +3,7 @@
 program is not warned of."""
 import json
 import os
+import pathlib
 import re
 import subprocess
 import time
@@ -17,6 +18,20 @@ def section(number):
     """The text of step `number`, and the lines of its code."""
     text = re.search(rf"\*\*{number}\. .*?(?=\n\*\*{number + 1}\. |\n## )", README, re.S).group(0)
     return text, [line[4:] for line in text.splitlines() if line.startswith("    ")]
+
+
+def children(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    except OSError:
+        return []
+
+
+def command(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")[0].decode()
+    except OSError:
+        return ""   # it is gone
 
 
 class TenMinutes(Case):
@@ -89,6 +104,28 @@ class TenMinutes(Case):
         first.terminate()
         said, _ = first.communicate(timeout=30)
         self.assertEqual(first.returncode, 0, said)
+
+    @unittest.skipUnless(os.environ.get("DISPLAY") and (POLYTURN.parent / "polyturn-hmi").exists(), "needs a display, and screens that were built")
+    def test_where_there_is_a_display_start_opens_the_screens(self):
+        text, (start, *_) = section(6)
+        self.assertIn("where there is a display, it opens the screens too", " ".join(text.split()))
+        name = f"readme-screens-{os.getpid()}"
+        around = self.surroundings | {"DISPLAY": os.environ["DISPLAY"]}
+        first = subprocess.Popen(["bash", "-c", f"exec {start} --instance {name}"], cwd=self.folder, env=around, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(lambda: (first.kill(), first.wait(), first.stdout.close()))
+        screens = lambda: [pid for pid in children(first.pid) if "polyturn-hmi" in command(pid)]
+        deadline = time.monotonic() + 60
+        while not screens():
+            self.assertLess(time.monotonic(), deadline, "no screens")
+            self.assertIsNone(first.poll())
+            time.sleep(0.1)
+        time.sleep(5)   # long enough for them to fail at what they open
+        opened = screens()
+        self.assertEqual(len(opened), 1, "the screens stay")
+        first.terminate()   # Ctrl-C ends the screens too
+        said, _ = first.communicate(timeout=30)
+        self.assertEqual(first.returncode, 0, said)
+        self.assertNotIn("polyturn-hmi", command(opened[0]), said)
 
 
 if __name__ == "__main__":
