@@ -7,6 +7,7 @@ import pathlib
 import random
 import re
 import shutil
+import subprocess
 import tempfile
 import tomllib
 import unittest
@@ -81,7 +82,11 @@ class CheckAndRun(Case):
                 says = {number: severity for number, severity in told(checked).items() if severity != "message"}
                 if not says and checked.status == 0:
                     continue
-                ran = self.polyturn("run", "--virtual", copy / job.name, "--quiet", timeout=300)
+                try:
+                    ran = self.polyturn("run", "--virtual", copy / job.name, "--quiet", timeout=300)
+                except subprocess.TimeoutExpired:   # the others are judged all the same, and the seed repeats this one
+                    false.append(f"seed {seed}, {job.stem} L{channel} {what}: check said {says}, the run has not ended in 300 s")
+                    continue
                 if ran.status == 0 and not set(says) <= set(told(ran)):
                     false.append(f"seed {seed}, {job.stem} L{channel} {what}: check said {says}, the run went well: {json.dumps(told(ran))}")
         self.assertEqual(false, [], f"{len(false)} of {len(tried)}\n" + "\n".join(false))
