@@ -28,14 +28,14 @@ namespace polyturn::detail {
 #define POLYTURN_TEXT(x) POLYTURN_TEXT_OF(x)
 #define POLYTURN_BROKEN(place, condition, invariant) \
     place ": broken: " invariant " (" condition ")\n"
-#define PT_ASSERT(condition, invariant)                                                    \
-    ((condition) ? static_cast<void>(0)                                                    \
-                 : ::polyturn::detail::invariant_broken(                                   \
-                       POLYTURN_BROKEN(__FILE__ ":" POLYTURN_TEXT(__LINE__), #condition,   \
-                                       invariant),                                         \
-                       sizeof(POLYTURN_BROKEN(__FILE__ ":" POLYTURN_TEXT(__LINE__),        \
-                                              #condition, invariant)) -                    \
-                           1))
+#define PT_ASSERT(condition, invariant)                                                            \
+    ((condition)                                                                                   \
+         ? static_cast<void>(0)                                                                    \
+         : ::polyturn::detail::invariant_broken(                                                   \
+               POLYTURN_BROKEN(__FILE__ ":" POLYTURN_TEXT(__LINE__), #condition, invariant),       \
+               sizeof(                                                                             \
+                   POLYTURN_BROKEN(__FILE__ ":" POLYTURN_TEXT(__LINE__), #condition, invariant)) - \
+                   1))
 #else
 #define PT_ASSERT(condition, invariant) static_cast<void>(sizeof((condition) ? 1 : 0))
 #endif

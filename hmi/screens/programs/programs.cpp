@@ -619,7 +619,8 @@ std::vector<SoftKey> Programs::keys() {
     if (page_ == Page::Files && printing_.busy())
         keys.push_back({word("Stop"),
                         [this] {
-                            // the worker sees it before its next piece, and takes away what it has written
+                            // the worker sees it before its next piece, and takes away what it has
+                            // written
                             printing_.forget();
                             context_.tell(word("The setup sheet is not written: stopped."),
                                           Told::Note);
