@@ -124,10 +124,9 @@ bool write_record(sqlite3* db, const Change& change) {
     const Key& key = change.key;
     const bool gone = change.is_text ? change.text_after.empty() : std::isnan(change.after);
     Statement row(
-        db,
-        gone
-            ? "DELETE FROM records WHERE kind = ? AND scope = ? AND number = ? AND field = ?"
-            : "INSERT OR REPLACE INTO records(kind, scope, number, field, value, text) VALUES(?, ?, ?, ?, ?, ?)");
+        db, gone ? "DELETE FROM records WHERE kind = ? AND scope = ? AND number = ? AND field = ?"
+                 : "INSERT OR REPLACE INTO records(kind, scope, number, field, value, text) "
+                   "VALUES(?, ?, ?, ?, ?, ?)");
     row.bind(1, std::string_view(name_of(key.kind)))
         .bind(2, std::int64_t{key.scope})
         .bind(3, std::int64_t{key.number});
@@ -251,11 +250,13 @@ std::string Database::history_query(const HistoryOf& of) {
             break;
         case HistoryOf::Kind::EnteredOffsets:
             sql +=
-                " WHERE instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND instr(what, ?1) > 0";
+                " WHERE instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND "
+                "instr(what, ?1) > 0";
             break;
         case HistoryOf::Kind::EnteredEdges:
             sql +=
-                " WHERE what GLOB 'tool [0-9]* D[0-9]* DP[0-9]*' AND who NOT IN ('program', 'setup') AND instr(what, ?1) = 1";
+                " WHERE what GLOB 'tool [0-9]* D[0-9]* DP[0-9]*' AND who NOT IN ('program', "
+                "'setup') AND instr(what, ?1) = 1";
             break;
     }
     if (!of.before_utc.empty())

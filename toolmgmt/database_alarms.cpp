@@ -23,7 +23,8 @@ Result<std::vector<Database::AlarmEvent>> Database::alarms(std::string_view befo
                                                            std::int64_t most) {
     Statement rows(
         parts_->db,
-        "SELECT id, utc, event FROM alarms WHERE (?1 = '' OR utc < ?1) AND (?2 <= 0 OR id < ?2) ORDER BY id DESC LIMIT ?3");
+        "SELECT id, utc, event FROM alarms WHERE (?1 = '' OR utc < ?1) AND (?2 <= 0 OR id < "
+        "?2) ORDER BY id DESC LIMIT ?3");
     rows.bind(1, before_utc).bind(2, before_id).bind(3, most);
     std::vector<AlarmEvent> out;
     while (rows.row()) out.push_back({rows.whole(0), rows.text(1), rows.text(2)});

@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExtra =
-    "CREATE TABLE backup_files(name TEXT NOT NULL, path TEXT NOT NULL, bytes BLOB NOT NULL, PRIMARY KEY(name, path));"
+    "CREATE TABLE backup_files(name TEXT NOT NULL, path TEXT NOT NULL, bytes BLOB NOT NULL, "
+    "PRIMARY KEY(name, path));"
     "CREATE TABLE backup_info(utc TEXT NOT NULL, schema INTEGER NOT NULL);";
 
 struct Handle {
@@ -201,7 +202,8 @@ Result<std::int64_t> Database::merge_history(const std::string& file) {
     {
         Statement line(
             parts_->db,
-            "INSERT INTO history(utc, who, what, old, new) SELECT ?1, ?2, ?3, ?4, ?5 WHERE NOT EXISTS(SELECT 1 FROM history WHERE what = ?3 AND utc = ?1 AND who = ?2)");
+            "INSERT INTO history(utc, who, what, old, new) SELECT ?1, ?2, ?3, ?4, ?5 WHERE NOT "
+            "EXISTS(SELECT 1 FROM history WHERE what = ?3 AND utc = ?1 AND who = ?2)");
         while (lines.row()) {
             for (int column = 0; column < 5; ++column)
                 line.bind(column + 1, std::string_view(lines.text(column)));

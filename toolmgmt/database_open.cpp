@@ -24,7 +24,8 @@ namespace {
 // One owner: with an exclusive lock no other process can write, and the log needs no shared memory
 // of its own. The log is folded in by Parts::fold() only, which writes the sums of the pages first.
 constexpr const char* kSettings =
-    "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=0; PRAGMA trusted_schema=OFF;";
+    "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA "
+    "wal_autocheckpoint=0; PRAGMA trusted_schema=OFF;";
 
 // Enough for decades of an operator's entries; bounded, because measuring programs write offsets at
 // every part.
@@ -117,7 +118,8 @@ std::uint64_t digest_of_users(sqlite3* db) {
     // Failed log-ins are no rights.
     Statement rows(
         db,
-        "SELECT number, field, value, text FROM records WHERE kind = 'user' AND field NOT IN ('failures', 'locked_until') ORDER BY number, field");
+        "SELECT number, field, value, text FROM records WHERE kind = 'user' AND field NOT IN "
+        "('failures', 'locked_until') ORDER BY number, field");
     while (rows.row())
         all += std::to_string(rows.whole(0)) + "\t" + rows.text(1) + "\t" +
                std::to_string(rows.number(2)) + "\t" + rows.text(3) + "\n";

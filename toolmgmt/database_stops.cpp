@@ -17,7 +17,8 @@ Result<void> Database::note_stop(const Stop& stop) {
     {
         Statement row(
             parts_->db,
-            "INSERT OR REPLACE INTO stops(utc, channel, cause, number, detail, program, line, seconds) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+            "INSERT OR REPLACE INTO stops(utc, channel, cause, number, detail, program, line, "
+            "seconds) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
         row.bind(1, std::string_view(stop.utc))
             .bind(2, std::int64_t{stop.channel})
             .bind(3, std::string_view(stop.cause))
@@ -35,7 +36,8 @@ Result<void> Database::note_stop(const Stop& stop) {
 Result<std::vector<Database::Stop>> Database::stops(std::string_view since, std::int64_t most) {
     Statement rows(
         parts_->db,
-        "SELECT utc, channel, cause, number, detail, program, line, seconds FROM stops WHERE utc >= ? ORDER BY utc DESC, channel LIMIT ?");
+        "SELECT utc, channel, cause, number, detail, program, line, seconds FROM stops WHERE "
+        "utc >= ? ORDER BY utc DESC, channel LIMIT ?");
     rows.bind(1, since).bind(2, most);
     std::vector<Stop> out;
     while (rows.row())

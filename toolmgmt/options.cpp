@@ -11,7 +11,8 @@ namespace polyturn::toolmgmt {
 Options read_options(int argc, char** argv) {
     Options options;
     CLI::App app{
-        "The store of a Polyturn controller: parameters, offsets, zeros, kept variables. Started by polyturn.",
+        "The store of a Polyturn controller: parameters, offsets, zeros, kept variables. "
+        "Started by polyturn.",
         "polyturn-toolmgmt"};
     app.add_option("--instance", options.instance, "name of the controller");
     auto* store = app.add_option("--store", options.store, "folder in which the values are kept");

@@ -73,13 +73,16 @@ std::string reference_page(const ReferenceWords& words) {
     std::string page =
         "# " + words("G and M codes of the fanuc family") + "\n" +
         words(
-            "This page is printed from the table in `channels/fanuc/g_codes.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") +
+            "This page is printed from the table in `channels/fanuc/g_codes.cpp` "
+            "(`tools/update_references.sh`); a test sees to it that both agree.") +
         "\n" +
         words(
-            "A, B, C are the systems of F3401, N is nct, M is mefi. *Holds at cycle start* unless a parameter says otherwise.") +
+            "A, B, C are the systems of F3401, N is nct, M is mefi. *Holds at cycle start* "
+            "unless a parameter says otherwise.") +
         "\n" +
         words(
-            "A code that is *refused* is known and stops the program with alarm PT1032 and its name; every other code that stands not here is alarm 010.") +
+            "A code that is *refused* is known and stops the program with alarm PT1032 and its "
+            "name; every other code that stands not here is alarm 010.") +
         "\n\n";
     page += "## " + words("G codes") + "\n" +
             reference_head(words, {"code", "systems", "group", "words of its own", "at cycle start",

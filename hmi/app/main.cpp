@@ -22,7 +22,8 @@ namespace {
 void sayThereIsNoDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type != QtFatalMsg) return;  // what was tried
     std::fputs(
-        "polyturn-hmi: there is no display to open; start it on the panel's desktop, or say with DISPLAY, WAYLAND_DISPLAY or QT_QPA_PLATFORM which one.\n",
+        "polyturn-hmi: there is no display to open; start it on the panel's desktop, or say "
+        "with DISPLAY, WAYLAND_DISPLAY or QT_QPA_PLATFORM which one.\n",
         stderr);
     ::_exit(2);
 }

@@ -101,7 +101,9 @@ bool measurePage(MainWindow& window, const char* name, int page, double seconds,
     const bool good = percent <= kMostCpu_percent && rate >= kLeastFrames &&
                       longest.computing_ms <= kMostBlock_ms && opening_ms <= kMostBlock_ms;
     std::printf(
-        "{\"screen\":\"%s\",\"page\":%d,\"frames_per_s\":%.1f,\"cpu_percent\":%.1f,\"opening_ms\":%.1f,\"longest_block_ms\":%.1f,\"longest_computing_ms\":%.1f,\"good\":%s}\n",
+        "{\"screen\":\"%s\",\"page\":%d,\"frames_per_s\":%.1f,\"cpu_percent\":%.1f,"
+        "\"opening_ms\":%.1f,\"longest_block_ms\":%.1f,\"longest_computing_ms\":%.1f,"
+        "\"good\":%s}\n",
         name, page + 1, rate, percent, opening_ms, longest.block_ms, longest.computing_ms,
         good ? "true" : "false");
     std::fflush(stdout);

@@ -90,7 +90,8 @@ bool Machine::may_be_moved(std::uint32_t address, Door door) noexcept {
     if (missing & kDoorClosed) return refuse("the door is open: close it, or switch to setup mode");
     if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
         return refuse(
-            "axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
+            "axes are moved by hand only while no program of the channel runs, or in a hold "
+            "after jog_in_hold");
     if (const std::uint32_t owner = core_.config.axes[a].channel;
         owner != l && axis.owner == owner && channels_[owner - 1]->program_runs())
         return refuse("a program of another channel moves the axis");

@@ -19,9 +19,11 @@ namespace {
 std::atomic<bool> stop{false};
 
 constexpr char kHelp[] =
-    "polyturn-plc: the PLC process of a Polyturn controller; loads the machine builder's PLC and runs it every PT_PLC_CYCLE\n"
+    "polyturn-plc: the PLC process of a Polyturn controller; loads the machine builder's PLC "
+    "and runs it every PT_PLC_CYCLE\n"
     "  --instance NAME   name of the controller\n"
-    "  --library FILE    the PLC: a shared object with the interface of plc_api.h (default: the built-in lathe)\n"
+    "  --library FILE    the PLC: a shared object with the interface of plc_api.h (default: "
+    "the built-in lathe)\n"
     "  --retained FILE   keeps what the PLC wants kept over power-off (N1274 #1)\n";
 
 std::string beside_this_program(const char* name) {

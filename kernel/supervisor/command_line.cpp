@@ -103,13 +103,16 @@ void take_words(const CLI::App& app, CommandLine& line) {
 }
 
 constexpr const char* kPressWords =
-    "  cycle_start [L|T]   feed_hold [L|T]   reset [L|T]   emergency_stop   release_emergency_stop   machine_on\n"
+    "  cycle_start [L|T]   feed_hold [L|T]   reset [L|T]   emergency_stop   "
+    "release_emergency_stop   machine_on\n"
     "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB\n"
     "  mdi L1 G0 X50. (enters a block, cycle_start L1 runs it)   mdi_clear L1   hand_key L1 T0101\n"
     "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
     "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
-    "  single_block L1=on|T1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
-    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n"
+    "  single_block L1=on|T1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   "
+    "machine_lock L1=on\n"
+    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits "
+    "L2=on   stop_after_part\n"
     "  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n"
     "  answer L1 #500=12.5 key=1\n";
 
@@ -157,8 +160,8 @@ CommandLine read_command_line(int argc, char** argv) {
     CLI::App* set =
         app.add_subcommand(
                "set",
-               tell(
-                   "Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'"))
+               tell("Forces a PLC signal, register, input or drive fault, or sets a parameter: "
+                    "'AP_SYNCR A3=1'"))
             ->prefix_command();
     CLI::App* release =
         app.add_subcommand("release", tell("Gives a forced signal back to the PLC: 'AP_SYNCR A3'"))
@@ -236,7 +239,8 @@ CommandLine read_command_line(int argc, char** argv) {
         one->add_option("--instance", line.of_job.instance,
                         tell("the controller; default polyturn"));
         one->footer(tell(
-            "Exit status: 0 done, or nothing differs; 1 something differs or this machine does not have it; 2 refused."));
+            "Exit status: 0 done, or nothing differs; 1 something differs or this machine does "
+            "not have it; 2 refused."));
         job_actions.push_back(one);
     }
     add_store_verbs(app, line);

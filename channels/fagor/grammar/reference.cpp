@@ -83,7 +83,9 @@ std::string reference_page(const ReferenceWords& words) {
     std::string page =
         "# " + words("G codes, M codes and variables of the language fagor") + "\n" +
         words(
-            "This page is printed from the tables in `channels/fagor/grammar/g_codes.cpp` and `variable_names.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") +
+            "This page is printed from the tables in `channels/fagor/grammar/g_codes.cpp` and "
+            "`variable_names.cpp` (`tools/update_references.sh`); a test sees to it that both "
+            "agree.") +
         "\n" + words("A code or word that stands not here is an alarm that names it.") + "\n";
     page += "\n## " + words("G codes") + "\n" +
             reference_head(words,
@@ -94,11 +96,11 @@ std::string reference_page(const ReferenceWords& words) {
                             row.alone ? words("alone") : "", row.modal ? words("yes") : "",
                             words(row.text));
     page += m_code_section(words, text::own_m_codes(Dialect::Fagor));
-    page +=
-        "\n## " + words("Variables") + "\n" +
-        words(
-            "A *live* one is a value of the machine: reading it stops the preparation of blocks until the machine stands there.") +
-        "\n\n";
+    page += "\n## " + words("Variables") + "\n" +
+            words(
+                "A *live* one is a value of the machine: reading it stops the preparation of "
+                "blocks until the machine stands there.") +
+            "\n\n";
     page += reference_head(words, {"name", "behind it", "live", "a program may write it"});
     for (std::size_t i = 0; i < variable_count(); ++i) {
         const VariableRow& row = variable_row(i);

@@ -76,7 +76,8 @@ std::string b_text(const BProgramTexts& programs) {
             const unsigned set = (s.absolute ? kAbsolute : 0u) | (s.has_b ? kHasB : 0u) |
                                  (s.has_r ? kHasR : 0u) | (s.has_p ? kHasP : 0u);
             text += fmt::format(
-                "motion={} feed_mode={} one_shot={} drilling={} set={} b={} r={} q={} p={} feed={} turn={} code={} letter={}\n",
+                "motion={} feed_mode={} one_shot={} drilling={} set={} b={} r={} q={} p={} "
+                "feed={} turn={} code={} letter={}\n",
                 s.motion, s.feed_mode, s.one_shot, s.drilling, set, s.b, s.r, s.q, s.p, s.feed,
                 s.feed_turn, s.code, s.letter ? s.letter : '-');
         }

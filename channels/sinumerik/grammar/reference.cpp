@@ -107,7 +107,9 @@ std::string refused_names(const ReferenceWords& words) {
         if (fate_of(row) == Fate::Refused) add(row.name);
     return "\n## " + words("Names that are refused") + "\n" +
            words(
-               "Some of them are keywords that stand inside a statement (PRIO, BLSYNC, SAVE, TO) and act there; as a word of a block all of them are refused. A cycle of the control that is not here (CYCLE93) is refused by its name too.") +
+               "Some of them are keywords that stand inside a statement (PRIO, BLSYNC, SAVE, "
+               "TO) and act there; as a word of a block all of them are refused. A cycle of "
+               "the control that is not here (CYCLE93) is refused by its name too.") +
            "\n\n" + list + "\n";
 }
 
@@ -117,19 +119,26 @@ std::string reference_page(const ReferenceWords& words) {
     std::string page =
         "# " + words("Words of the language sinumerik") + "\n" +
         words(
-            "This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and `geo_rows.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") +
+            "This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and "
+            "`geo_rows.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") +
         "\n" +
         words(
-            "Groups and their numbers are those of $P_GG and MD20150; a star marks what is active when the control is delivered; a code in italics acts in its block only.") +
+            "Groups and their numbers are those of $P_GG and MD20150; a star marks what is "
+            "active when the control is delivered; a code in italics acts in its block only.") +
         "\n" +
         words(
-            "*Acts*: the word changes the path, the feed, a limit, a value, or what the PLC hears. *As the machine does anyway*: it asks for what this machine does without it, or takes only the value that does; nothing is said.") +
+            "*Acts*: the word changes the path, the feed, a limit, a value, or what the PLC "
+            "hears. *As the machine does anyway*: it asks for what this machine does without "
+            "it, or takes only the value that does; nothing is said.") +
         "\n" +
         words(
-            "*Warns*: the word is kept, $P_GG shows it, and it changes nothing; the first one of its kind in a program is told as the warning PT1576 with its name. G641 to G645 cut as G64, their rounding stays within PT_PATH_TOL.") +
+            "*Warns*: the word is kept, $P_GG shows it, and it changes nothing; the first one "
+            "of its kind in a program is told as the warning PT1576 with its name. G641 to "
+            "G645 cut as G64, their rounding stays within PT_PATH_TOL.") +
         "\n" +
         words(
-            "*Refused*: the word is known and stops the program; the alarm with its name has the number 12140 in a channel of this language (PT1032 elsewhere).") +
+            "*Refused*: the word is known and stops the program; the alarm with its name has "
+            "the number 12140 in a channel of this language (PT1032 elsewhere).") +
         "\n";
     page += g_table(words) + m_code_section(words, text::own_m_codes(Dialect::Sinumerik)) +
             address_table(words);

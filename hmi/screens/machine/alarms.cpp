@@ -122,8 +122,8 @@ void Alarms::composeDetail(Writer& w) {
         Item& item = w.text(
             QRectF(px(20), px(20), wide - px(40), px(60)),
             page_ == Page::Standing
-                ? word(
-                      "What was told before stands in «History», what the machine stood still for in «Log of stops».")
+                ? word("What was told before stands in «History», what the machine stood still "
+                       "for in «Log of stops».")
                 : QString(),
             lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;

@@ -538,8 +538,8 @@ void ScopePage::paintCircle(QPainter& p) {
                 ? word(
                       "The scope records other signals: «Axes of L%1» chooses the axes of a circle")
                       .arg(context_.channel)
-                : word(
-                      "No circle has been driven since the record began: drive at least three quarters of one in L%1")
+                : word("No circle has been driven since the record began: drive at least three "
+                       "quarters of one in L%1")
                       .arg(context_.channel));
         return;
     }

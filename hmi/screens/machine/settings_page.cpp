@@ -114,8 +114,8 @@ void SettingsPage::composeNote(Writer& w) {
     Item& item = w.text(
         QRectF(px(44), px(4), wide * 0.62, high - px(8)),
         told_.isEmpty()
-            ? word(
-                  "The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.")
+            ? word("The operating system keeps these values and says who may change them; Enter,"
+                   " or a second touch, changes one.")
             : told_,
         lettering(15), t.text);
     item.wraps = true;

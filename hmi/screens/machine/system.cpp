@@ -399,13 +399,14 @@ void System::composeNotice(Writer& w) {
              ? word("There is no backup beside the store: choose one from a stick or the network.")
              : word("The newest backup: %1").arg(loss_.backup),
          px(24), t.text, true);
-    line(
-        loss_.readable
-            ? word(
-                  "«Restore» brings everything back as it was then. «Confirm the loss» keeps what is left: the newest changes of parameters, offsets, zeros, tools, lives and users are gone for good. Look through them before the first part.")
-            : word(
-                  "«Restore» brings everything back as it was then. The file cannot be read whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and users as on the first day. Look through them before the first part."),
-        px(64), t.text);
+    line(loss_.readable
+             ? word("«Restore» brings everything back as it was then. «Confirm the loss» keeps "
+                    "what is left: the newest changes of parameters, offsets, zeros, tools, "
+                    "lives and users are gone for good. Look through them before the first part.")
+             : word("«Restore» brings everything back as it was then. The file cannot be read "
+                    "whole: «Confirm the loss» may leave parameters, offsets, zeros, tools and "
+                    "users as on the first day. Look through them before the first part."),
+         px(64), t.text);
     if (whoLevel_ != "maker")
         line(word("Only a maker can confirm: log in on the page «Users»."), px(24), t.warn);
 }

@@ -106,8 +106,10 @@ RestartPage::RestartPage(Context& context, QWidget* parent)
         w.sign(QRectF(px(14), px(14), px(24), px(24)), Sign::Note, t.accent);
         Item& item = w.text(
             QRectF(px(50), px(10), note_->width() - px(62), note_->height() - px(20)),
-            word(
-                "Bring the axes to a free place first. Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. The first start shows what comes; the second one does it: tool, functions, axes, and it cuts."),
+            word("Bring the axes to a free place first. Touch one of these blocks twice, press "
+                 "Enter on it, or type its number: the program restarts there. «Restart» reads "
+                 "to it without moving, with all waits replayed. The first start shows what "
+                 "comes; the second one does it: tool, functions, axes, and it cuts."),
             lettering(15.5), t.text, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;
     };

@@ -110,16 +110,15 @@ EditorPage::EditorPage(Context& context, QWidget* parent)
                lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
         if (!part_.whole()) {
             w.sign(QRectF(px(10), px(11), px(22), px(22)), Sign::Note, t.accent);
-            w.data(
-                QRectF(px(42), px(4), place.left() - px(52), line_->height() - px(4)),
-                word(
-                    "A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.")
-                    .arg(part_.line + 1)
-                    .arg(part_.line + edit_->document()->blockCount())
-                    .arg(100.0 * static_cast<double>(part_.to - part_.from) /
-                             static_cast<double>(std::max<qint64>(1, part_.all)),
-                         0, 'f', 1),
-                lettering(15), t.text);
+            w.data(QRectF(px(42), px(4), place.left() - px(52), line_->height() - px(4)),
+                   word("A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» "
+                        "looks for faults in all of it.")
+                       .arg(part_.line + 1)
+                       .arg(part_.line + edit_->document()->blockCount())
+                       .arg(100.0 * static_cast<double>(part_.to - part_.from) /
+                                static_cast<double>(std::max<qint64>(1, part_.all)),
+                            0, 'f', 1),
+                   lettering(15), t.text);
             return;
         }
         const Sign sign = !failure_.isEmpty() ? Sign::Warning

@@ -324,8 +324,9 @@ void FilesPage::composePreview(Writer& w) {
                lettering(16), t.text);
         Item& item = w.text(
             QRectF(px(20), px(60), wide - px(40), px(130)),
-            word(
-                "USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER."),
+            word("USB sticks and network places appear when they are there. «Keep as place» "
+                 "adds the folder that is shown; /etc/polyturn/places names those of the shop: "
+                 "NAME=/FOLDER."),
             lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;
         return;

@@ -422,8 +422,8 @@ void PresetterPage::composeResult(Writer& w) {
     if (answer_.isEmpty())
         return sentence(
             Sign::Note, t.dim,
-            word(
-                "«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first."),
+            word("«Measure» finds the tip and shows what would be entered. The gauge pin "
+                 "calibrates the camera first."),
             false);
     double y = px(6);
     const LengthUnit unit = context_.live.unit(context_.channel);

@@ -445,8 +445,8 @@ void Tools::composeDetail(Writer& w) {
         Item& item = w.text(
             QRectF(px(52), px(6), wide - px(64), high - px(12)),
             firstToStop_.isEmpty()
-                ? word(
-                      "No forecast yet: it begins when parts have been made with tools whose life is monitored.")
+                ? word("No forecast yet: it begins when parts have been made with tools whose "
+                       "life is monitored.")
                 : firstToStop_,
             lettering(16), t.text);
         item.wraps = true;

@@ -349,7 +349,8 @@ void Tools::composeSide(Writer& w) {
     QString words;
     if (page_ == Page::Pallets)
         words = word(
-            "The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.");
+            "The pallet in a row goes with its program. «Exchange»: choose a row, press, "
+            "choose the other row, press again.");
     else if (textField())
         words = word("Type, then Enter.");
     else if (pad_->field && pad_->field())

@@ -13,19 +13,25 @@ constexpr double kWidth = 1240.0, kLeft = 64.0, kRight = 40.0;
 void definitions(Svg& svg, const JobPlan& plan) {
     svg.raw(
         "<defs>\n"
-        "<linearGradient id=\"part\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"1\"><stop offset=\"0\" stop-color=\"#b4bec4\"/><stop offset=\"0.28\" "
+        "<linearGradient id=\"part\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"1\"><stop offset=\"0\" "
+        "stop-color=\"#b4bec4\"/><stop offset=\"0.28\" "
         "stop-color=\"#eef1f2\"/>"
-        "<stop offset=\"0.55\" stop-color=\"#d3dadd\"/><stop offset=\"1\" stop-color=\"#a3afb6\"/></linearGradient>\n"
-        "<pattern id=\"stock\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" "
+        "<stop offset=\"0.55\" stop-color=\"#d3dadd\"/><stop offset=\"1\" "
+        "stop-color=\"#a3afb6\"/></linearGradient>\n"
+        "<pattern id=\"stock\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+        "patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" "
         "fill=\"#f4f1e8\"/>"
         "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#e2dac6\" stroke-width=\"1.4\"/></pattern>\n"
-        "<pattern id=\"wait\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" "
+        "<pattern id=\"wait\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+        "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" "
         "fill=\"#ffffff\"/>"
         "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"6\" stroke=\"#cdd3d6\" stroke-width=\"2\"/></pattern>\n");
     for (const auto& [channel, program] : plan.programs)
         svg.raw(fmt::format(
-            "<pattern id=\"thread{0}\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\"><rect width=\"4\" height=\"4\" fill=\"{1}\"/>"
-            "<line x1=\"1\" y1=\"0\" x2=\"1\" y2=\"4\" stroke=\"#ffffff\" stroke-width=\"1.2\" stroke-opacity=\"0.75\"/></pattern>\n",
+            "<pattern id=\"thread{0}\" width=\"4\" height=\"4\" "
+            "patternUnits=\"userSpaceOnUse\"><rect width=\"4\" height=\"4\" fill=\"{1}\"/>"
+            "<line x1=\"1\" y1=\"0\" x2=\"1\" y2=\"4\" stroke=\"#ffffff\" stroke-width=\"1.2\" "
+            "stroke-opacity=\"0.75\"/></pattern>\n",
             channel, look::channel_colour(channel)));
     svg.raw("</defs>\n");
 }

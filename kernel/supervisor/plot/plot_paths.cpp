@@ -168,23 +168,19 @@ struct PathPanel::Parts {
             if ((head.doing == Doing::Rapid) != rapid) continue;
             const char* colour = look::channel_colour(head.channel);
             if (rapid)
-                svg.polyline(
-                    points,
-                    fmt::format(
-                        "fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 3\"",
-                        colour));
+                svg.polyline(points, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" "
+                                                 "stroke-opacity=\"0.5\" stroke-dasharray=\"4 3\"",
+                                                 colour));
             else if (head.doing == Doing::Thread)
-                svg.polyline(
-                    points,
-                    fmt::format(
-                        "fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" stroke-dasharray=\"1.1 1.7\" stroke-opacity=\"0.85\"",
-                        colour));
+                svg.polyline(points,
+                             fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" "
+                                         "stroke-dasharray=\"1.1 1.7\" stroke-opacity=\"0.85\"",
+                                         colour));
             else
-                svg.polyline(
-                    points,
-                    fmt::format(
-                        "fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-linejoin=\"round\" stroke-linecap=\"round\"",
-                        colour));
+                svg.polyline(points,
+                             fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" "
+                                         "stroke-linejoin=\"round\" stroke-linecap=\"round\"",
+                                         colour));
         }
     }
 
@@ -257,9 +253,10 @@ void PathPanel::draw(Svg& svg, const Frame& frame) const {
     if (empty()) return;
     const Parts& p = *parts_;
     const double drawing = height() - kAxisRoom;
-    svg.raw(fmt::format(
-        "<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/></clipPath>\n",
-        frame.x, frame.y, frame.width, drawing));
+    svg.raw(
+        fmt::format("<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+                    "height=\"{:.2f}\"/></clipPath>\n",
+                    frame.x, frame.y, frame.width, drawing));
     p.draw_scales(svg, frame, drawing);
     svg.open_group("clip-path=\"url(#view)\"");
     p.draw_chuck(svg, frame);

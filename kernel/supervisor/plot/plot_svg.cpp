@@ -25,8 +25,10 @@ std::string escaped(std::string_view words) {
 
 Svg::Svg(double width, double height) {
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-        "font-family=\"Inter, 'Source Sans 3', 'Helvetica Neue', Arial, sans-serif\" font-size=\"12\" fill=\"{2}\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+        "font-family=\"Inter, 'Source Sans 3', 'Helvetica Neue', Arial, sans-serif\" "
+        "font-size=\"12\" fill=\"{2}\">\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n",
         width, height, look::kInk, look::kPaper);
 }

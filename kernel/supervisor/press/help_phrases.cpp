@@ -27,7 +27,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"What is entered otherwise than the job has it", "Что введено иначе, чем в задании",
      "Co je zadáno jinak než v zakázce", "Mi van másképp beírva, mint a munkában"},
     {"NAME.job.toml", "ИМЯ.job.toml", "JMÉNO.job.toml", "NÉV.job.toml"},
-    {"Exit status: 0 done, or nothing differs; 1 something differs or this machine does not have it; 2 refused.",
+    {"Exit status: 0 done, or nothing differs; 1 something differs or this machine does not "
+     "have it; 2 refused.",
      "Код завершения: 0 выполнено или различий нет; 1 есть различия либо у станка этого нет; 2 отказано.",
      "Návratový kód: 0 hotovo, nebo se nic neliší; 1 něco se liší nebo to stroj nemá; 2 odmítnuto.",
      "Kilépési kód: 0 kész, vagy nincs eltérés; 1 eltérés van, vagy a gépnek nincs ilyenje; 2 elutasítva."},

@@ -24,7 +24,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).",
      "Револьверные головки по очереди заняли бы {:.1f} с; одновременная работа экономит {:.1f} с ({:.0f} %).",
      "Hlavy po sobě by potřebovaly {:.1f} s; současnou prací se ušetří {:.1f} s ({:.0f} %).",
-     "Egymás után a revolverfejek {:.1f} s-ig dolgoznának; egyszerre dolgozva {:.1f} s-ot takarítanak meg ({:.0f} %)."},
+     "Egymás után a revolverfejek {:.1f} s-ig dolgoznának; egyszerre dolgozva {:.1f} s-ot "
+     "takarítanak meg ({:.0f} %)."},
     {"Who waited", "Кто ждал", "Kdo čekal", "Ki várt"},
     {"at", "на", "na", "itt:"},
     {"for L{}", "ждал L{}", "na L{}", "L{}-re"},
@@ -36,7 +37,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.",
      "{} {}, L{} ({:.1f} с{}): L{} ждёт этого {:.1f} с на {}. Переданный в L{}, он экономит до {:.1f} с.",
      "{} {}, L{} ({:.1f} s{}): L{} na to čeká {:.1f} s u {}. Předáno kanálu L{} ušetří až {:.1f} s.",
-     "{} {}, L{} ({:.1f} s{}): L{} {:.1f} s-ot vár rá itt: {}. L{} csatornára téve akár {:.1f} s-ot takarít meg."},
+     "{} {}, L{} ({:.1f} s{}): L{} {:.1f} s-ot vár rá itt: {}. L{} csatornára téve akár {:.1f} "
+     "s-ot takarít meg."},
     // dialogues
     {"No program asks anything.\n", "Ни одна программа ничего не спрашивает.\n",
      "Žádný program se na nic neptá.\n", "Egy program sem kérdez semmit.\n"},
@@ -94,10 +96,12 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"removed {}\n", "удалено: {}\n", "odstraněno: {}\n", "törölve: {}\n"},
     {"Nothing to remove.\n", "Удалять нечего.\n", "Není co odstranit.\n", "Nincs mit törölni.\n"},
     // start
-    {"polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n",
+    {"polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with "
+     "Ctrl-C or SIGTERM.\n",
      "polyturn: система «{}» работает: каналов {}, осей {}, шпинделей {}. Завершение: Ctrl-C или SIGTERM.\n",
      "polyturn: systém „{}“ běží: kanálů {}, os {}, vřeten {}. Ukončení: Ctrl-C nebo SIGTERM.\n",
-     "polyturn: a(z) „{}” vezérlés fut: {} csatorna, {} tengely, {} főorsó. Leállítás: Ctrl-C vagy SIGTERM.\n"},
+     "polyturn: a(z) „{}” vezérlés fut: {} csatorna, {} tengely, {} főorsó. Leállítás: Ctrl-C "
+     "vagy SIGTERM.\n"},
     {"polyturn: the controller \"{}\" has ended.\n", "polyturn: система «{}» завершена.\n",
      "polyturn: systém „{}“ skončil.\n", "polyturn: a(z) „{}” vezérlés leállt.\n"},
     {"polyturn: {} has died {} times in {} s and stays dead.\n",
@@ -109,10 +113,14 @@ constexpr auto kPhrases = std::to_array<Phrase>({
      "polyturn: укажите --instance ИМЯ (работающая система) или --machine ФАЙЛ (файл станка)\n",
      "polyturn: zadejte --instance JMÉNO (běžící systém) nebo --machine SOUBOR (soubor stroje)\n",
      "polyturn: adja meg: --instance NÉV (futó vezérlés) vagy --machine FÁJL (a gép fájlja)\n"},
-    {"polyturn: a compensation table is imported with --machine FILE, or with --instance NAME into a controller that runs a machine\n",
-     "polyturn: таблица компенсации импортируется с --machine ФАЙЛ или с --instance ИМЯ в систему, на которой работает станок\n",
-     "polyturn: kompenzační tabulka se importuje s --machine SOUBOR, nebo s --instance JMÉNO do systému, na kterém běží stroj\n",
-     "polyturn: a kompenzációs táblázat --machine FÁJL megadásával vagy --instance NÉV megadásával egy gépet futtató vezérlésbe olvasható be\n"},
+    {"polyturn: a compensation table is imported with --machine FILE, or with --instance NAME "
+     "into a controller that runs a machine\n",
+     "polyturn: таблица компенсации импортируется с --machine ФАЙЛ или с --instance ИМЯ в "
+     "систему, на которой работает станок\n",
+     "polyturn: kompenzační tabulka se importuje s --machine SOUBOR, nebo s --instance JMÉNO "
+     "do systému, na kterém běží stroj\n",
+     "polyturn: a kompenzációs táblázat --machine FÁJL megadásával vagy --instance NÉV "
+     "megadásával egy gépet futtató vezérlésbe olvasható be\n"},
     {"{}: acts as soon as the axes rest\n", "{}: действует, как только оси остановятся\n",
      "{}: platí, jakmile se osy zastaví\n", "{}: hat, amint a tengelyek állnak\n"},
     {"{}: acts from the next start of the machine\n",

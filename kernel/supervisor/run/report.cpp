@@ -46,14 +46,14 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
     }
     if (record.channels.size() > 1 && record.seconds > 0) {
         const double saved = one_after_the_other - record.seconds;
-        out +=
-            "\n  " +
-            fmt::format(
-                fmt::runtime(say(
-                    "One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).")),
-                one_after_the_other, saved,
-                one_after_the_other > 0 ? 100.0 * saved / one_after_the_other : 0.0) +
-            "\n";
+        out += "\n  " +
+               fmt::format(
+                   fmt::runtime(say(
+                       "One turret after the other would take {:.1f} s; working at once they save "
+                       "{:.1f} s ({:.0f} %).")),
+                   one_after_the_other, saved,
+                   one_after_the_other > 0 ? 100.0 * saved / one_after_the_other : 0.0) +
+               "\n";
     }
 
     auto waits = wait_spans(record);
@@ -85,8 +85,9 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
         out +=
             "    " +
             fmt::format(
-                fmt::runtime(say(
-                    "{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.")),
+                fmt::runtime(
+                    say("{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} "
+                        "it saves up to {:.1f} s.")),
                 base_name(one.pass.file), pass_lines(one.pass), one.pass.channel,
                 one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool,
                 one.wait.channel, one.wait.seconds(), one.wait.code, one.wait.channel, one.gain_s) +

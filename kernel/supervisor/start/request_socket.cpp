@@ -84,13 +84,13 @@ void RequestServer::accept_all(int listener) {
                                             guest && his >= static_cast<std::ptrdiff_t>(kOfGuest)
                                                 ? kOfGuest
                                                 : most)})
-                     : refusal(
-                           {Alarm::LevelTooLow,
-                            {},
-                            {},
-                            fmt::format(
-                                "user {} of this computer is no user of the controller (users add NAME LEVEL uid={})",
-                                uid, uid)})) +
+                     : refusal({Alarm::LevelTooLow,
+                                {},
+                                {},
+                                fmt::format(
+                                    "user {} of this computer is no user of the controller (users "
+                                    "add NAME LEVEL uid={})",
+                                    uid, uid)})) +
                 "\n";
             (void)!send(fd, why.data(), why.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
             close(fd);

@@ -125,8 +125,9 @@ int StartSession::run() {
         return 1;
     }
     tell_words(fmt::format(
-        fmt::runtime(say(
-            "polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")),
+        fmt::runtime(
+            say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End "
+                "it with Ctrl-C or SIGTERM.\n")),
         options_.instance, machine_.channel_count, machine_.axis_count, machine_.spindle_count));
     if (!options_.no_hmi) screens_.open(options_.instance);
     server_.set_guests([this](std::int64_t uid) {

@@ -21,7 +21,8 @@ int run_benchmarks(const std::vector<std::string>& arguments) {
             "polyturn bench [NAME ...] [options of Google Benchmark]\n"
             "  Runs the benchmark programs that lie beside polyturn, or those whose name holds "
             "NAME.\n"
-            "polyturn bench latency [SECONDS]\n  How late this computer wakes a cyclic thread of 1 ms, and whether real time is permitted.\n",
+            "polyturn bench latency [SECONDS]\n  How late this computer wakes a cyclic thread "
+            "of 1 ms, and whether real time is permitted.\n",
             stdout);
         return 0;
     }

@@ -82,7 +82,8 @@ int run_latency(const std::vector<std::string>& arguments) {
                    ? "SCHED_FIFO and locked memory"
                    : "not permitted (" + measured.refused + "): an ordinary thread was measured");
     fmt::print(
-        "wake-ups of a 1 ms tick over {:.0f} s, microseconds late: median {:.1f}, 99 % {:.1f}, 99.9 % {:.1f}, worst {:.1f}\n",
+        "wake-ups of a 1 ms tick over {:.0f} s, microseconds late: median {:.1f}, 99 % {:.1f}, "
+        "99.9 % {:.1f}, worst {:.1f}\n",
         seconds, at_share(late, 0.5), at_share(late, 0.99), at_share(late, 0.999),
         late.empty() ? 0.0 : late.back());
     fmt::print("{} of {} ticks were missed (later than a whole tick)\n", missed, late.size());

@@ -184,7 +184,8 @@ Result<std::string> status_json(const std::string& instance) {
         if (!config.exists()) continue;
         comma(axes);
         axes += fmt::format(
-            "{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{},\"overlay\":{},\"compensation\":{}}}",
+            "{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},"
+            "\"referenced\":{},\"moving\":{},\"fault\":{},\"overlay\":{},\"compensation\":{}}}",
             i + 1, config.name_text(), config.channel, number(axis.cmd), number(axis.act),
             (axis.flags & kReferenced) != 0, (axis.flags & kMoving) != 0,
             (axis.flags & kDriveFault) != 0, number(axis.overlay), number(axis.compensation));
@@ -203,8 +204,10 @@ Result<std::string> status_json(const std::string& instance) {
         const ChannelStatus& channel = p.status.channels[i];
         comma(channels);
         channels += fmt::format(
-            "{{\"ch\":{},\"state\":\"{}\",\"mode\":\"{}\",\"line\":{},\"feed_override\":{},\"rapid_override\":{},\"wait_code\":{},\"parts\":{},\"cycle\":{},"
-            "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},\"superposed\":{},\"restart\":\"{}\"",
+            "{{\"ch\":{},\"state\":\"{}\",\"mode\":\"{}\",\"line\":{},\"feed_override\":{},"
+            "\"rapid_override\":{},\"wait_code\":{},\"parts\":{},\"cycle\":{},"
+            "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},"
+            "\"superposed\":{},\"restart\":\"{}\"",
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line,
             number(channel.feed_override), number(channel.rapid_override), channel.wait_code,
             channel.parts, number(channel.cycle_s), number(channel.cutting_s),
@@ -250,7 +253,8 @@ Result<std::string> status_json(const std::string& instance) {
     std::string out = "{\"instance\":";
     append_json_text(out, instance);
     out += fmt::format(
-        ",\"machine\":\"{}\",\"step\":\"{}\",\"step_text\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
+        ",\"machine\":\"{}\",\"step\":\"{}\",\"step_text\":\"{}\",\"seconds\":{},\"alarms\":{},"
+        "\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
         machine_text(p.status.machine_state), machine_step_text(p.status.step).name,
         step_line(p.status, false), number(static_cast<double>(p.status.tick) * p.tick_s),
         p.status.alarm_count, channels, axes, spindles, processes);

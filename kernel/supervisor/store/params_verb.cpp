@@ -174,10 +174,10 @@ int import_compensation(const ParamsOptions& options, const std::string& path,
     const std::string base =
         options.instance.empty() ? std::string() : running_base(options.instance);
     if (options.instance.empty() ? options.machine.empty() : base.empty()) {
-        std::fputs(
-            say("polyturn: a compensation table is imported with --machine FILE, or with --instance NAME into a controller that runs a machine\n")
-                .data(),
-            stderr);
+        std::fputs(say("polyturn: a compensation table is imported with --machine FILE, or with "
+                       "--instance NAME into a controller that runs a machine\n")
+                       .data(),
+                   stderr);
         return 2;
     }
     std::vector<Diagnosis> faults;

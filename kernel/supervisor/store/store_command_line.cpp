@@ -25,7 +25,8 @@ constexpr Action kActions[] = {
     {"tools", "place", "Locks a place or gives it a kind", "MAGAZINE POT locked=1 place_type=2", 3,
      -1},
     {"tools", "life",
-     "What is left of each tool and group, and what stops the machine first; 'life reset TOOL ...' after a new insert",
+     "What is left of each tool and group, and what stops the machine first; 'life reset TOOL "
+     "...' after a new insert",
      "[reset TOOL ...]", 0, -1},
     {"tools", "import", "Tool data of a file: all of it or nothing", "FILE", 1, 1},
     {"tools", "export", "Tool data to a file or to standard output", "[FILE]", 0, 1},
@@ -51,10 +52,13 @@ constexpr Action kActions[] = {
      "The workpiece setter has answered: shows old, new and difference; with --yes writes",
      "L [G54] [Z=0]", 1, 3},
     {"presetter", "calibrate",
-     "Scale, tilt and place of the camera by a gauge pin (IMAGE may be camera:0); x and z are the offsets that the middle of its end has, x as a radius",
+     "Scale, tilt and place of the camera by a gauge pin (IMAGE may be camera:0); x and z are "
+     "the offsets that the middle of its end has, x as a radius",
      "IMAGE diameter=6 x=50 z=30 [mirrored=1]", 4, 5},
     {"presetter", "measure",
-     "X, Z, nose radius, tip number and angles of the tool in the picture (PGM, BMP, camera:0, camera:shot_%02d.pgm); with L and NUMBER (of an edge T3.D1) what would be entered, with --yes enters it",
+     "X, Z, nose radius, tip number and angles of the tool in the picture (PGM, BMP, camera:0, "
+     "camera:shot_%02d.pgm); with L and NUMBER (of an edge T3.D1) what would be entered, with "
+     "--yes enters it",
      "IMAGE [L NUMBER]", 1, 3},
     {"parts", "list", "Dimensions, what was measured, what is proposed", "", 0, 0},
     {"parts", "add",
@@ -84,7 +88,8 @@ constexpr Action kVerbs[] = {
     {"stops", "", "When the channels stood, how long and why, newest first", "", 0, 0},
     {"backup", "", "Everything in one file, while the controller works", "FILE", 1, 1},
     {"restore", "",
-     "Shows what a backup would change; with --yes changes it. Without FILE the newest usable one of the store's own",
+     "Shows what a backup would change; with --yes changes it. Without FILE the newest usable "
+     "one of the store's own",
      "[FILE]", 0, 1},
 };
 
