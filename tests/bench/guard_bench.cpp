@@ -1,4 +1,6 @@
-// libs: polyturn_kernel What protection costs a tick (issue 4): eight turrets that stand around one
+// libs: polyturn_kernel
+//
+// What protection costs a tick (issue 4): eight turrets that stand around one
 // part, twelve stations each with three boxes of its tool, two chucks and a tailstock. All turrets
 // move, neighbours pass each other nearer than their braking ways, so that their boxes have to be
 // looked at one by one. median_us and p999_us are the figures; the issue allows 20 us.

@@ -1,4 +1,6 @@
-// libs: polyturn_channels Text to elementary moves: plain G1 blocks through reader, scanner, fanuc
+// libs: polyturn_channels
+//
+// Text to elementary moves: plain G1 blocks through reader, scanner, fanuc
 // interpreter and core into a sink that keeps nothing. Figures on one core: plain blocks at least 2
 // million a second, others beside their functions.
 #include <benchmark/benchmark.h>

@@ -1,4 +1,6 @@
-// libs: polyturn_motion polyturn_channel_path How near the planner comes to the least possible time
+// libs: polyturn_motion polyturn_channel_path
+//
+// How near the planner comes to the least possible time
 // on tests/bench/parts (the issue allows 10 % above the reference), and what a tick of it costs.
 // First a table, then Google Benchmark's.
 //     motion_bench                   both

@@ -1,4 +1,6 @@
-// libs: polyturn_kernel What a tick costs (issue 2): all axes moving on segments of 0.1 mm, all
+// libs: polyturn_kernel
+//
+// What a tick costs (issue 2): all axes moving on segments of 0.1 mm, all
 // spindles turning, trace off. The other processes are played between the ticks and not counted.
 // median_us and p999_us are the figures; the issue allows
 //   2 channels, 6 axes: median 3 us          16 channels, 96 axes, 32 spindles: median 60 us,

@@ -1,4 +1,6 @@
-// libs: polyturn_toolmgmt A backup from anywhere: any bytes, a good one with spoilt places, a good
+// libs: polyturn_toolmgmt
+//
+// A backup from anywhere: any bytes, a good one with spoilt places, a good
 // one that carries files of any name and content. It is read or refused with what is wrong; what it
 // brings is written below the machine's folder and nowhere else.
 #include <sys/stat.h>

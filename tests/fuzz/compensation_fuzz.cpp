@@ -1,4 +1,6 @@
-// libs: polyturn_channels Contours of lines and arcs with nose-radius compensation that begins,
+// libs: polyturn_channels
+//
+// Contours of lines and arcs with nose-radius compensation that begins,
 // changes its side and radius, is suspended and ends anywhere: each ends or is refused with an
 // alarm, and what is driven is finite.
 #include "tests/fuzz/draw.hpp"

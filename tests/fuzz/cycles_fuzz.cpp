@@ -1,4 +1,6 @@
-// libs: polyturn_channels The repetitive cycles over contours that nobody would draw: profiles that
+// libs: polyturn_channels
+//
+// The repetitive cycles over contours that nobody would draw: profiles that
 // never retract, arcs that do not fit, zero depths, equal ends. Each ends after a bounded number of
 // moves or is refused with an alarm.
 #include "tests/fuzz/draw.hpp"

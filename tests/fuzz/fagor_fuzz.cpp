@@ -1,4 +1,6 @@
-// libs: polyturn_channels Any text as a fagor program; the first byte chooses live values and how
+// libs: polyturn_channels
+//
+// Any text as a fagor program; the first byte chooses live values and how
 // often the reader goes back.
 #include "tests/fuzz/play_text.hpp"
 

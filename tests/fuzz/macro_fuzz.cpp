@@ -1,4 +1,6 @@
-// libs: polyturn_channels Macro programs put together from statements, functions, calls and jumps
+// libs: polyturn_channels
+//
+// Macro programs put together from statements, functions, calls and jumps
 // in any order: each ends, loops (and is stopped by the caller), or is refused with an alarm.
 #include "tests/fuzz/draw.hpp"
 #include "tests/fuzz/play_text.hpp"

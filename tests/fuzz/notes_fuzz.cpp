@@ -1,4 +1,6 @@
-// libs: polyturn_text polyturn_diagnosis fmt Any bytes in a channel's ring of notes, any head: the
+// libs: polyturn_text polyturn_diagnosis fmt
+//
+// Any bytes in a channel's ring of notes, any head: the
 // supervisor reads within the ring, comes to an end, and believes no event of another.
 #include <cstring>
 #include <memory>

@@ -1,4 +1,6 @@
-// libs: polyturn_toolmgmt Whatever is asked of the store as an operation ends in an answer or in
+// libs: polyturn_toolmgmt
+//
+// Whatever is asked of the store as an operation ends in an answer or in
 // faults that say what is wrong and what to do; refused, it has changed nothing. Lines of any text,
 // and lines made of the words that operations know.
 #include <unistd.h>

@@ -1,4 +1,6 @@
-// libs: polyturn_params Whatever is read as a parameter file ends in assignments and diagnoses;
+// libs: polyturn_params
+//
+// Whatever is read as a parameter file ends in assignments and diagnoses;
 // what was accepted is written out and read in again. The tables are made once: each run puts back
 // the rows that it touched, so that a run costs what its text costs.
 #include <cstddef>

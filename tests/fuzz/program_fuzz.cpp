@@ -1,4 +1,6 @@
-// libs: polyturn_channels Any text as a fanuc, nct or mefi program; the first byte chooses
+// libs: polyturn_channels
+//
+// Any text as a fanuc, nct or mefi program; the first byte chooses
 // language, live values and steps back.
 #include "tests/fuzz/play_text.hpp"
 

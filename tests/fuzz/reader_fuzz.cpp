@@ -1,4 +1,6 @@
-// libs: polyturn_channels Any bytes as a program text: lines and words, or a diagnosis; never a
+// libs: polyturn_channels
+//
+// Any bytes as a program text: lines and words, or a diagnosis; never a
 // crash, never an endless loop.
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,6 @@
-// libs: polyturn_kernel A channel's process may write anything into its segment: any bytes as a
+// libs: polyturn_kernel
+//
+// A channel's process may write anything into its segment: any bytes as a
 // record, any head, any transformation. No axis leaves its limits, no memory is harmed, a tick
 // stays a tick.
 #include <cmath>

@@ -1,4 +1,6 @@
-// libs: polyturn_channels Any text as a sinumerik program with one tool; the first byte says how
+// libs: polyturn_channels
+//
+// Any text as a sinumerik program with one tool; the first byte says how
 // often the reader goes back.
 #include "tests/fuzz/play_text.hpp"
 

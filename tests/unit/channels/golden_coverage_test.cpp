@@ -196,10 +196,10 @@ TEST(GoldenPrograms, HaveEveryAlarmThatAProgramCanCause) {
     for (std::uint16_t id = 0; id < kAlarmCount; ++id)
         rows[alarm_row(static_cast<Alarm>(id)).key] = &alarm_row(static_cast<Alarm>(id));
     std::set<std::string> used;
-    for (const char* folder :
-         {"fanuc", "nct", "cycles", "compensation", "corners", "state", "text", "path", "check"})
+    for (const char* folder : {"fanuc", "nct", "cycles", "compensation", "corners", "state",
+                               "pipeline", "text", "path", "check"})
         for (const auto& entry :
-             fs::directory_iterator(fs::path(kSourceFolder) / "channels" / folder)) {
+             fs::recursive_directory_iterator(fs::path(kSourceFolder) / "channels" / folder)) {
             if (!entry.is_regular_file()) continue;
             const std::string text = content(entry.path());
             for (std::size_t at = 0; (at = text.find("Alarm::", at)) != std::string::npos;) {

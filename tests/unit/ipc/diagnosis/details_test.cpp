@@ -81,7 +81,7 @@ TEST(Details, StandInTheTextOfTheirAlarm) {
 // process stands in a row.
 TEST(Details, NoRefusalIsWithoutARow) {
     const std::regex call(
-        R"((?:fault|alarm|raise|refuse)\(Alarm::\w+,[^;{}]*\)|\{Alarm::\w+, \{\}, \{\}, [^;{}]*\})"),
+        R"((?:fault|alarm|raise|refuse)\(\s*Alarm::\w+,[^;{}]*\)|\{\s*Alarm::\w+,\s*\{\},\s*\{\},[^;{}]*\})");
         literal(R"re("((?:[^"\\]|\\.)*)")re"), words("[a-z]{3,} [a-z]{2,}");
     std::size_t seen = 0;
     for (const char* folder : {"toolmgmt", "kernel/cyclic"})

@@ -379,7 +379,11 @@ const std::vector<Walk>& walks() {
            [](Doors& r) {
                r.set(signals::sp_unclamped(1), 1);
                r.run(5);
-           }}}},
+           }}},
+         false,
+         {},
+         {},
+         kMachineOn | kNoStop},
         {Door::WorkRetract,
          [](Doors& r) {
              r.push(1, r.dwell(1, 100));
@@ -474,6 +478,7 @@ const std::vector<std::pair<const char*, std::function<void(Doors&)>>>& start_ro
          }},
         {"attached",
          [](Doors& r) {
+             for (const unsigned a : {1u, 3u}) r.machine->core().config.axes[a].named = true;
              r.set(signals::ap_detchr(2), 1);
              r.set(signals::ap_detchr(4), 1);
              r.run(60);
