@@ -36,7 +36,8 @@ def collect():
                 found.setdefault(text, path.relative_to(TOP / "hmi").as_posix())
     # {"name", "text", "remedy"} and {MachineStep::X, "name", "text", "next"}
     for header, columns in (("ipc/machine/start_words.hpp", (1, 2)), ("ipc/machine/machine_step.hpp", (1, 2))):
-        for row in re.finditer(r"^\s*\{(.*)\},\s*$", (TOP / header).read_text(encoding="utf-8"), re.M):
+        content = re.sub(r"//.*$", "", (TOP / header).read_text(encoding="utf-8"), flags=re.M)
+        for row in re.finditer(r"\{((?:\w+::\w+,\s*)?" + LITERAL + r"(?:,\s*" + LITERAL + r")+)\}", content):
             texts = re.findall(LITERAL, row.group(1))
             for column in columns:
                 if column < len(texts) and texts[column]:

@@ -5284,6 +5284,11 @@
         <translation>všechny parametry</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>an alarm has stopped everything</source>
+        <translation>alarm vše zastavil</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>trvá alarm kanálu</translation>
@@ -5312,6 +5317,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>připojte ji (AP_DETCHR)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>axes are on their way to their reference points</source>
+        <translation>osy jedou do referenčních bodů</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5794,6 +5804,16 @@
         <translation>ještě ne číslo</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>not all axes are referenced</source>
+        <translation>osy nemají referenci</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>ne všechny kanály startu od bloku jsou u svých bloků</translation>
+    </message>
+    <message>
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>not entered</source>
         <translation>nezadáno</translation>
@@ -5929,6 +5949,11 @@
         <translation>zapněte stroj</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>press reference all</source>
+        <translation>stiskněte reference všech</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>press reset</source>
         <translation>stiskněte reset</translation>
@@ -5987,6 +6012,16 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>odstraňte příčinu a reset</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>remove its cause, then press reset</source>
+        <translation>odstraňte příčinu, pak reset</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>obnovte zálohu, nebo ať výrobce potvrdí, co zbylo</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -6155,6 +6190,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>úložiště ztratilo data: bez výroby</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>úložiště neběží: nic by se neuložilo</translation>
     </message>
@@ -6209,6 +6249,11 @@
         <translation>moment</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>turn the button back, then press machine on</source>
+        <translation>uvolněte tlačítko, pak zapněte stroj</translation>
+    </message>
+    <message>
         <location filename="../machine/tools/tool_words.cpp"/>
         <source>turning drill</source>
         <translation>soustružnický vrták</translation>
@@ -6247,6 +6292,16 @@
         <location filename="../screens/machine/scope_page.cpp"/>
         <source>velocity</source>
         <translation>rychlost</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>wait</source>
+        <translation>počkejte</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>počkejte na ně; byl-li odmítnut, začněte znovu nebo reset</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -5284,6 +5284,11 @@
         <translation>minden paraméter</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>an alarm has stopped everything</source>
+        <translation>riasztás állított le mindent</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>a csatorna riasztása áll</translation>
@@ -5312,6 +5317,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>csatolja vissza (AP_DETCHR)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>axes are on their way to their reference points</source>
+        <translation>a tengelyek referenciára mennek</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5794,6 +5804,16 @@
         <translation>még nem szám</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>not all axes are referenced</source>
+        <translation>nincs minden referencia</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>az újraindítás nem minden csatornája áll a mondatánál</translation>
+    </message>
+    <message>
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>not entered</source>
         <translation>nincs megadva</translation>
@@ -5929,6 +5949,11 @@
         <translation>nyomja meg: gép be</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>press reference all</source>
+        <translation>nyomja meg: összes tengely referencia</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>press reset</source>
         <translation>nyomjon resetet</translation>
@@ -5987,6 +6012,16 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>szüntesse meg az okát és reset</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>remove its cause, then press reset</source>
+        <translation>szüntesse meg az okát, majd reset</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>állítson vissza egy mentést, vagy a gyártó hagyja jóvá, ami megmaradt</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -6155,6 +6190,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>a tároló adatokat vesztett: nincs gyártás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>a tároló nem fut: semmi nem maradna meg</translation>
     </message>
@@ -6209,6 +6249,11 @@
         <translation>nyomaték</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>turn the button back, then press machine on</source>
+        <translation>oldja ki a gombot, majd gép be</translation>
+    </message>
+    <message>
         <location filename="../machine/tools/tool_words.cpp"/>
         <source>turning drill</source>
         <translation>esztergafúró</translation>
@@ -6247,6 +6292,16 @@
         <location filename="../screens/machine/scope_page.cpp"/>
         <source>velocity</source>
         <translation>sebesség</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>wait</source>
+        <translation>várjon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>várjon rájuk; ha elutasította, indítsa újra vagy reset</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

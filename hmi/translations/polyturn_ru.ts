@@ -5284,6 +5284,11 @@
         <translation>все параметры</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>an alarm has stopped everything</source>
+        <translation>авария всё остановила</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>авария канала не снята</translation>
@@ -5312,6 +5317,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>подключите её (AP_DETCHR)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>axes are on their way to their reference points</source>
+        <translation>оси идут в реф. точки</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5794,6 +5804,16 @@
         <translation>ещё не число</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>not all axes are referenced</source>
+        <translation>не все оси в реф. точке</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>not all channels of the restart are at their blocks</source>
+        <translation>не все каналы пуска с кадра стоят у своих кадров</translation>
+    </message>
+    <message>
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>not entered</source>
         <translation>не введено</translation>
@@ -5929,6 +5949,11 @@
         <translation>включите станок</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>press reference all</source>
+        <translation>нажмите «Все оси: в реф. точку»</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>press reset</source>
         <translation>нажмите «сброс»</translation>
@@ -5987,6 +6012,16 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>устраните причину и сбросьте</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>remove its cause, then press reset</source>
+        <translation>устраните причину, затем сброс</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>restore a backup, or let a maker confirm what is left</source>
+        <translation>восстановите резервную копию или пусть изготовитель подтвердит остаток</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -6155,6 +6190,11 @@
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>the store has lost data: no production</source>
+        <translation>хранилище потеряло данные: работы нет</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>хранилище не работает: ничего не сохранится</translation>
     </message>
@@ -6209,6 +6249,11 @@
         <translation>момент</translation>
     </message>
     <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>turn the button back, then press machine on</source>
+        <translation>отпустите кнопку, затем включите станок</translation>
+    </message>
+    <message>
         <location filename="../machine/tools/tool_words.cpp"/>
         <source>turning drill</source>
         <translation>токарное сверло</translation>
@@ -6247,6 +6292,16 @@
         <location filename="../screens/machine/scope_page.cpp"/>
         <source>velocity</source>
         <translation>скорость</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <source>wait</source>
+        <translation>подождите</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/machine/start_words.hpp"/>
+        <source>wait for them; if it was refused, restart again or reset</source>
+        <translation>подождите их; если он отклонён, пустите снова или сбросьте</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
