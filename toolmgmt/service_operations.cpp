@@ -131,8 +131,16 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
     const Json& asked = *parsed;
     const bool preview = read_flag(asked, "preview", work);
     if (!work.good()) return answer_text({}, work.faults);
-    // What the operation copies or compares must be on disk.
-    if (const Result<void> kept = commit_pending({}, "program"); !kept) {
+    // What the operation copies or compares must be on disk. A broken file takes nothing: who logs
+    // in, asks about it or makes it whole is answered all the same, and what would change a value
+    // is refused when it is written.
+    const bool broken = disk_ && disk_->condition().broken;
+    const auto verb = asked.is_object() ? asked.find("do") : asked.end();
+    const bool copies = asked.is_object() && verb != asked.end() && verb->is_string() &&
+                        verb->get_ref<const std::string&>().starts_with("backup");
+    const bool may_wait = broken && !copies;
+    if (const Result<void> kept = may_wait ? Result<void>() : commit_pending({}, "program");
+        !kept) {
         work.fault(kept.diagnosis());
         return answer_text({}, work.faults);
     }

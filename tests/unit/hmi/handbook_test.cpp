@@ -13,6 +13,7 @@
 #include "hmi/app/help_language.hpp"
 #include "hmi/app/help_slices.hpp"
 #include "tests/places.hpp"
+#include "tests/unit/hmi/source_lines.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -82,7 +83,7 @@ std::set<std::pair<QString, QString>> placesAskedFor() {
                           QDirIterator::Subdirectories);
          all.hasNext();) {
         QStringList before;  // a list of places stands above its page
-        for (QString line : handbookText(all.next()).split('\n')) {
+        for (QString line : statementsOf(handbookText(all.next()))) {
             const bool list = line.contains("kFind[]");
             if (!list && !line.contains(".md\"")) continue;
             line = line.section("QString(\"#", 0, 0);  // what is told before the page
