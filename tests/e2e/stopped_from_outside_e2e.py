@@ -27,7 +27,7 @@ class Stopped(Case):
 
     def test_a_run_that_is_ended_from_outside_tells_how_long_it_ran(self):
         program = self.write("O1.nc", PROGRAM)
-        run = subprocess.Popen([POLYTURN, "run", program], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        run = subprocess.Popen([POLYTURN, "run", "--set", "PT_LATE_MAX=1000", program], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.addCleanup(run.kill)
         time.sleep(4.0)   # the start, and a part of the long block
         run.send_signal(signal.SIGTERM)
