@@ -45,6 +45,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     modal_.diameter =
         core_.view().axis_by_role(PlaneRole::BasicX) >= 0 &&
         view.axes[static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicX))].diameter;
+    core_.await_factors();
     clear_modal();
     core_.path.zero_row = kZeroNone;
 }

@@ -23,12 +23,43 @@ double way_of(const Move& m, const AxisValues& start, const AxisValues& end, dou
 
 }  // namespace
 
+void FactorSink::change(std::uint64_t serial, const AxisValues& was, const AxisValues& factor,
+                        const AxisValues& bias) {
+    if (stages_.empty()) stages_.push_back({0, was, {}});
+    stages_.push_back({serial, factor, bias});
+}
+
 void FactorSink::move(const Move& m, const BlockContext& at) {
-    if (!path_->factored) return next_->move(m, at);
-    if (is_arc(m) && path_->factor[m.plane_p] != path_->factor[m.plane_q]) return chords(m, at);
+    if (stages_.empty()) {
+        if (!path_->factored) {
+            axes_ = m.machine;
+            return next_->move(m, at);
+        }
+        factor_ = &path_->factor;
+        return multiply(m, at);
+    }
+    const Stage* stage = &stages_.front();
+    for (const Stage& other : stages_)
+        if (other.serial <= at.serial) stage = &other;
+    factor_ = &stage->factor;
+    unbiased_ = m;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        unbiased_.machine[i] -= stage->bias[i];
+        unbiased_.machine_start[i] -= stage->bias[i];
+    }
+    if (is_arc(m)) {
+        unbiased_.centre_p -= stage->bias[m.plane_p];
+        unbiased_.centre_q -= stage->bias[m.plane_q];
+    }
+    multiply(unbiased_, at);
+}
+
+void FactorSink::multiply(const Move& m, const BlockContext& at) {
+    const AxisValues& factor = *factor_;
+    if (is_arc(m) && factor[m.plane_p] != factor[m.plane_q]) return chords(m, at);
     out_ = m;
     if (is_arc(m)) {
-        const double f = path_->factor[m.plane_p];
+        const double f = factor[m.plane_p];
         out_.centre_p += (f - 1) * m.pos_centre_p;
         out_.centre_q += (f - 1) * m.pos_centre_q;
         out_.pos_centre_p *= f;
@@ -46,13 +77,12 @@ void FactorSink::deliver(const Move& m, double way, const BlockContext& at) {
     unsigned along = 0;
     double longest = -1.0;
     for (unsigned i = 0; i < count; ++i) {
-        const double f = path_->factor[i],
-                     part = std::fabs(out_.machine[i] - out_.machine_start[i]);
+        const double f = (*factor_)[i], part = std::fabs(out_.machine[i] - out_.machine_start[i]);
         if (!view_->axes[i].rotary && part > longest) {
             longest = part;
             along = i;
         }
-        if (f == 1.0) continue;
+        if (f == 1.0 && stages_.empty()) continue;
         out_.machine[i] += (f - 1) * out_.pos[i];
         out_.pos[i] *= f;
         out_.nose[i] = f * m.nose[i];
@@ -63,8 +93,8 @@ void FactorSink::deliver(const Move& m, double way, const BlockContext& at) {
     if (m.feed_mode == FeedMode::PerMinute || m.feed_mode == FeedMode::PerRevolution)
         out_.feed_scale *= share;
     if (m.kind == MoveKind::Thread) {
-        out_.lead *= path_->factor[along];
-        out_.lead_change *= path_->factor[along];
+        out_.lead *= (*factor_)[along];
+        out_.lead_change *= (*factor_)[along];
         out_.lead_path *= share;
     }
     axes_ = out_.machine;
@@ -73,7 +103,7 @@ void FactorSink::deliver(const Move& m, double way, const BlockContext& at) {
 
 void FactorSink::chords(const Move& m, const BlockContext& at) {
     const unsigned count = view_->axis_count;
-    const double most = std::fmax(path_->factor[m.plane_p], path_->factor[m.plane_q]);
+    const double most = std::fmax((*factor_)[m.plane_p], (*factor_)[m.plane_q]);
     const double radius = std::fmax(m.radius * most, 2 * kSagitta);
     const int steps =
         1 + static_cast<int>(std::fabs(m.sweep) / (2 * std::acos(1 - kSagitta / radius)));

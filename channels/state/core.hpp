@@ -274,6 +274,9 @@ public:
     // Factors of single axes that multiply the motion behind compensation (fagor G72 X..); `frame`
     // has them already. Not while blocks are read ahead.
     void set_factors(const AxisValues& factor, const Frame& frame);
+    // some may come while compensation is active: what multiplies stands behind it from the
+    // beginning
+    void await_factors();
     Zeros zeros() const {
         return {path.external, path.work, path.preset, path.local,
                 path.framed ? path.frame : Frame{}};
@@ -559,6 +562,8 @@ private:
     double behind_factors(unsigned place, double machine, double offset) const;
     Frame frame_before_factors() const;
     void take_factors_off();
+    void change_factors(AxisValues was, bool were);
+    void add_bias();
     bool inclined_plane(Frame& plane) const;
     Sink& incline(bool wanted);
     void take_incline_off();

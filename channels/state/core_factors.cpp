@@ -6,16 +6,35 @@
 namespace polyturn::channels {
 
 void Core::set_factors(const AxisValues& factor, const Frame& frame) {
+    const AxisValues was = path.factor;
+    const bool were = path.factored;
     path.factor = factor;
     path.factored = false;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         path.factored = path.factored || factor[i] != 1.0;
-    if (path.factored && !factors_) {
-        factors_ = std::make_unique<FactorSink>(*view_, path);
-        refresh_routes();
-    }
+    if (path.factored) await_factors();
+    if (factors_ && reads_ahead() && (were || path.factored))
+        change_factors(were ? was : AxisValues{}, were);
     show_factors();
     set_frame(frame);
+}
+
+void Core::await_factors() {
+    if (factors_) return;
+    factors_ = std::make_unique<FactorSink>(*view_, path);
+    refresh_routes();
+}
+
+// Moves are held: they keep the factors that they were programmed with.
+void Core::change_factors(AxisValues was, bool were) {
+    AxisValues bias = factors_->bias();
+    if (!were) was.fill(1.0);
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const double stands =
+            path.machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.vector[i];
+        bias[i] += stands / was[i] - stands / path.factor[i];
+    }
+    factors_->change(at.serial, was, path.factor, bias);
 }
 
 // A rotary axis with a factor counts on and on, as a linear one does (the surface of a cylinder).
@@ -58,11 +77,12 @@ Frame Core::frame_before_factors() const {
 
 // move_ as it is before the factors; where it really ends stays in real_end_.
 void Core::take_factors_off() {
-    if (!path.factored || factors_off_) return;
+    if (factors_ && !reads_ahead()) factors_->start(path.machine);
+    if (!(path.factored || (factors_ && factors_->changed())) || factors_off_) return;
     factors_off_ = true;
     real_end_ = move_.machine;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
-        const double f = path.factor[i];
+        const double f = path.factored ? path.factor[i] : 1.0;
         if (f == 1.0) continue;
         const double start = move_.machine_start[i] - path.turns_deg[i] - path.zero[i] -
                              path.shift[i] - path.vector[i];
@@ -70,7 +90,20 @@ void Core::take_factors_off() {
         move_.machine[i] -= move_.pos[i] - move_.pos[i] / f;
         move_.pos[i] /= f;
     }
-    if (!reads_ahead()) factors_->start(path.machine);
+}
+
+// What holds moves is told no jump where factors have changed.
+void Core::add_bias() {
+    if (!factors_ || !factors_->changed()) return;
+    const AxisValues bias = factors_->bias();
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        move_.machine_start[i] += bias[i];
+        move_.machine[i] += bias[i];
+    }
+    if (is_arc(move_)) {
+        move_.centre_p += bias[move_.plane_p];
+        move_.centre_q += bias[move_.plane_q];
+    }
 }
 
 }  // namespace polyturn::channels

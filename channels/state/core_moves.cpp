@@ -199,6 +199,7 @@ void Core::deliver() {
         move_.plane_q = static_cast<std::uint8_t>(std::max(q, 0));
     }
     if (reads_ahead()) tell_nose();
+    add_bias();
     sink_->move(move_, at);
 }
 

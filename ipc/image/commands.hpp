@@ -7,7 +7,9 @@
 //                                 flags: kStartByHand, only a block of the MDI list
 //   FeedHold, Reset               channel
 //   EmergencyStop, MachineOn, ReleaseStop   -
-//   Mode                          channel, value: ChannelMode
+//   Mode                          channel, value: ChannelMode; flags: kStartByHand, for the block
+//                                 that follows: where it runs in a hold,
+//                                 the mode stays
 //   Select                        channel, text: program file, value: Dialect that its job names, 0
 //                                 none
 //   Mdi                           channel, text: the block, which comes into the list of those
@@ -67,7 +69,7 @@ namespace polyturn {
 inline constexpr std::uint32_t kSlotOfNc = 0, kSlotOfPlc = 1;
 // bit of Command::flags of a Watch: two slots, the low word first
 inline constexpr std::uint32_t kSlotOfDouble = 2;
-// Command::flags of a CycleStart: a block of the MDI list, or nothing
+// Command::flags of CycleStart and Mode: a block of the MDI list, or nothing
 inline constexpr std::uint32_t kStartByHand = 1;
 inline constexpr std::size_t kMaxWatches = 64;  // signals that one run reports
 }  // namespace polyturn

@@ -141,8 +141,10 @@ double Machine::handwheel_increment(std::uint32_t address) const noexcept {
 void Machine::jog_command(const Command& c) noexcept {
     if (static_cast<CommandKind>(c.kind) == CommandKind::Handwheel && c.object == 0)
         return turn_program(c.channel, c.value);
-    if (c.object == 0 || c.object > kMaxAxes || core_.config.axes[c.object - 1].channel == 0)
+    if (core_.config.axes[c.object - 1].channel == 0) {
+        if (c.value != 0) core_.alarm(Alarm::NotReady, 0, "the axis belongs to no channel");
         return;
+    }
     const std::uint32_t address = c.object - 1, a = behind_address(address);
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[address];

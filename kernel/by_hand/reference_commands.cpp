@@ -13,6 +13,13 @@ void Machine::reference_command(const Command& c) noexcept {
         core_.alarm(Alarm::ReferenceRefused, 0, "the machine is not on");
         return;
     }
+    if (c.object > core_.config.axis_count ||
+        (c.object != 0 && !core_.axes[c.object - 1].exists())) {
+        core_.alarm(
+            Alarm::ReferenceRefused, 0,
+            "there is no drive behind this address: an axis must be exchanged onto it first");
+        return;
+    }
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (core_.axes[a].exists() &&
             (c.object == a + 1 || (c.object == 0 && core_.config.axes[a].reference.order != 0)))

@@ -373,9 +373,19 @@ void ChannelRunner::start_program() noexcept {
     start_by(Door::ProgramStart);
 }
 
-void ChannelRunner::set_mode(ChannelMode mode) noexcept {
-    if (program_runs()) return;
-    if (mode != mode_) lines_.clear();  // a block of before is not what a start in MDI means
+void ChannelRunner::set_mode(ChannelMode mode, bool for_block) noexcept {
+    if (mode == mode_) return;
+    // of this very tick: it comes first, as it was pressed
+    if (resetting_ && at_rest()) finish_reset();
+    // a block for which it was meant says itself why it does not run, or runs in the hold
+    if (program_runs()) {
+        if (!for_block)
+            core_.alarm(Alarm::NotReady, number_,
+                        "the mode is changed only in reset or after the end (press reset)", 0,
+                        line_);
+        return;
+    }
+    lines_.clear();  // a block of before is not what a start in MDI means
     mode_ = mode;
 }
 

@@ -109,7 +109,8 @@ public:
     void hand_key(std::string_view text) noexcept;
     // what runs, or is held, is no program
     bool by_hand() const noexcept { return hand_.runs != HandBlock::Of::Nobody; }
-    void set_mode(ChannelMode mode) noexcept;  // set by the operator only
+    // set by the operator only; for_block: kStartByHand
+    void set_mode(ChannelMode mode, bool for_block = false) noexcept;
     ChannelMode mode() const noexcept { return mode_; }
     void stop_after_part(bool on) noexcept { stop_after_part_ = on; }
     // channel_production.cpp: a program that repeats itself ends with its part after so many

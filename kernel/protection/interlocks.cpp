@@ -132,10 +132,11 @@ bool Machine::spindle_may_turn(std::uint32_t s, std::int32_t wanted) noexcept {
         text << " must not turn, the door is open (close it)";
     else
         text << " must not turn, the machine is not on (switch it on)";
-    if (owner)
+    // One that is interrupted already says no second cause, and this is none of its program's.
+    if (owner && channels_[owner - 1]->state() != ChannelState::Interrupted)
         channels_[owner - 1]->fault(Alarm::InterlockStop, text.view(), 0);
     else
-        core_.alarm(Alarm::InterlockStop, 0, text.view());
+        core_.alarm(Alarm::InterlockStop, owner, text.view());
     return false;
 }
 

@@ -1,13 +1,48 @@
 // Commands come out of the supervisor's memory, as records come out of a channel's: the kernel acts
-// on a copy that was checked once. Objects (axes, spindles, slots, inputs) are compared with the
-// machine where they are used; this file has the range of a command's numbers.
+// on a copy that was checked once. Objects (axes, spindles, channels) are compared with the machine
+// where they are used; this file has the range of a command's numbers.
 #pragma once
 #include <cmath>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "polyturn/image_structs.hpp"
+#include "ipc/image/commands.hpp"
+#include "kernel/tick/signals.hpp"
 
 namespace polyturn::kernel {
+
+// The object (axis, spindle, slot, input) can be one at all, and where one channel or axis is
+// meant, one is named.
+inline const char* fault_of_object(const Command& c) noexcept {
+    const auto among = [&](std::size_t least, std::size_t last) {
+        return c.object >= least && c.object <= last ? nullptr : "object";
+    };
+    const std::size_t last_slot = (c.flags & kSlotOfPlc ? kPlcSignals : kNcSignals) - 1;
+    switch (static_cast<CommandKind>(c.kind)) {
+        case CommandKind::Jog:
+        case CommandKind::Step:
+            return among(1, kMaxAxes);
+        case CommandKind::Handwheel:
+            return c.object == 0 && c.channel == 0 ? "channel" : among(0, kMaxAxes);
+        case CommandKind::Return:
+            return c.channel == 0 ? "channel" : nullptr;
+        case CommandKind::Reference:
+            return among(0, kMaxAxes);
+        case CommandKind::SpindleOverride:
+            return among(0, kMaxSpindles);
+        case CommandKind::DriveFault:
+            return among(1, c.flags ? kMaxSpindles : kMaxAxes);
+        case CommandKind::Sensor:
+            return c.flags >= kInputs ? "flags" : among(1, kMaxAxes + kMaxSpindles);
+        case CommandKind::SetInput:
+            return among(0, kInputs - 1);
+        case CommandKind::SetSignal:
+        case CommandKind::ReleaseSignal:
+        case CommandKind::Watch:
+            return among(0, last_slot);
+        default:
+            return nullptr;
+    }
+}
 
 // The name of the field that cannot be, nullptr: none.
 inline const char* fault_of(const Command& c) noexcept {
@@ -18,6 +53,7 @@ inline const char* fault_of(const Command& c) noexcept {
     if (c.channel >
         (kind == CommandKind::SetSignal ? 32u : static_cast<std::uint32_t>(kMaxChannels)))
         return "channel";
+    if (const char* const field = fault_of_object(c)) return field;
     const auto among = [&](double least, double last) {
         return c.value >= least && c.value <= last ? nullptr : "value";
     };

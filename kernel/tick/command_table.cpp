@@ -10,6 +10,28 @@ namespace {
 std::string_view text_of(const Command& c) noexcept {
     return {c.text.data(), ::strnlen(c.text.data(), c.text.size())};
 }
+
+// Means one channel's program: without a process it would do nothing, and say nothing. Switches and
+// overrides are kept without one.
+constexpr bool needs_process(CommandKind kind) noexcept {
+    switch (kind) {
+        case CommandKind::CycleStart:
+        case CommandKind::Mode:
+        case CommandKind::Mdi:
+        case CommandKind::MdiClear:
+        case CommandKind::HandKey:
+        case CommandKind::Retrace:
+        case CommandKind::JogInHold:
+        case CommandKind::StopAfterPart:
+        case CommandKind::WarmUp:
+        case CommandKind::Superpose:
+        case CommandKind::DialogueValue:
+        case CommandKind::DialogueKey:
+            return true;
+        default:
+            return false;
+    }
+}
 }  // namespace
 
 template <class Act>
@@ -82,6 +104,11 @@ void Machine::run_command(const Command& c) noexcept {
                 channels_[l]->pressed_keys =
                     on ? channels_[l]->pressed_keys | bits : channels_[l]->pressed_keys & ~bits;
     };
+    if (c.channel != 0 && needs_process(static_cast<CommandKind>(c.kind)) &&
+        !channels_[c.channel - 1]->attached()) {
+        core_.alarm(Alarm::NotReady, c.channel, "the channel's process is not there");
+        return;
+    }
     switch (static_cast<CommandKind>(c.kind)) {
         case CommandKind::CycleStart:
             judge_restarts();  // a reset of this very tick ends a restart before a start of it
@@ -129,7 +156,8 @@ void Machine::run_command(const Command& c) noexcept {
             break;
         case CommandKind::Mode:
             each_channel(c, [&](ChannelRunner& r) {
-                r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value)));
+                r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value)),
+                           (c.flags & kStartByHand) != 0);
             });
             break;
         case CommandKind::Select:

@@ -198,8 +198,6 @@ bool Interpreter::g_scale(const GCode&) {
         return true;
     }
     if (!has_axes()) return core_.fail(Alarm::FagorMotionWord, 'G', "S or an axis", 72);
-    if (core_.reads_ahead())
-        return core_.fail(Alarm::FagorIncompatible, 'G', modal_.comp == 41 ? "G41 G72" : "G42 G72");
     for (unsigned i = 0; i < core_.view().axis_count; ++i) {
         if (!axis_words_[i]) continue;
         if (axis_words_[i]->value <= 0)

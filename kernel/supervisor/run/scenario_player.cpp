@@ -52,6 +52,7 @@ std::vector<Command> spelled_out(const Command& command) {
     for (Command& one : out) one.channel = command.channel;
     out[0].kind = static_cast<std::uint32_t>(CommandKind::Mode);
     out[0].value = static_cast<double>(ChannelMode::Mdi);
+    out[0].flags = kStartByHand;
     out[1].kind = static_cast<std::uint32_t>(CommandKind::MdiClear);
     out[2] = command;
     out[3].kind = static_cast<std::uint32_t>(CommandKind::CycleStart);

@@ -22,6 +22,9 @@ struct Doors : TickRig {
               params::put(t, params::n0303_ref_feed, 240, 4);
               params::put(t, params::n0901_reference_distance, -200, 4);
               params::put(t, params::pt_retract, 5, 2);
+              // an axis with an address must be attached
+              for (unsigned a = 1; a <= 4; ++a)
+                  params::put(t, params::n0100_axis_name1, a % 2 ? 'X' : 'Z', a);
               if (adjust) adjust(t);
           }) {
         on_tick = [this] {  // what the kernel has commanded: a loop that closes is no way

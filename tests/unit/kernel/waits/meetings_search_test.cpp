@@ -159,12 +159,13 @@ struct Both {
             if (b.restart != Kernel::Channel::None)
                 group.emplace(b.group, static_cast<char>('a' + group.size()));
             const WaitBoard::Arrival& at = kernel.board.at(l);
-            for (const int n : {static_cast<int>(a.where), int{a.held}, int{a.searches},
-                                int{a.at_block}, int{a.complete}, int{a.not_meant}, a.code,
-                                static_cast<int>(a.set), static_cast<int>(a.together),
-                                static_cast<int>(b.state), int{b.held}, int{b.waits}, int{b.judged},
-                                int{b.refused}, int{b.complete}, static_cast<int>(b.restart),
-                                int{kernel.board.counts(l)}, at.code, static_cast<int>(at.set)})
+            for (const int n :
+                 {static_cast<int>(a.where), int{a.held}, int{a.searches}, int{a.at_block},
+                  int{a.complete}, int{a.not_meant}, a.code, static_cast<int>(a.set),
+                  static_cast<int>(a.together), static_cast<int>(b.state), int{b.held},
+                  int{b.waits}, int{b.judged}, int{b.refused}, int{b.complete},
+                  static_cast<int>(b.restart), int{kernel.board.counts(l)}, at.here ? at.code : 0,
+                  at.here ? static_cast<int>(at.set) : 0})
                 out += static_cast<char>(n);
             out += b.restart != Kernel::Channel::None ? group[b.group] : '-';
         }
@@ -354,7 +355,7 @@ TEST(MeetingsSearch, EveryOrderOfTwoChannelsDoesWhatThePlainRulesSay) {
 }
 
 TEST(MeetingsSearch, EveryOrderOfThreeChannelsDoesWhatThePlainRulesSay) {
-    const Searched all = search(3, 30'000);
+    const Searched all = search(3, 150'000);
     EXPECT_TRUE(all.difference.empty()) << all.difference;
     std::cout << all.states << " states, " << all.steps << " steps, depth " << all.depth
               << (all.closed ? ", closed" : "") << '\n';
