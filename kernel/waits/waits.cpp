@@ -73,24 +73,40 @@ ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
     return out;
 }
 
+ChannelSet WaitBoard::alike(unsigned channel) const noexcept {
+    ChannelSet out = 0;
+    for (unsigned k = 0; k < kMaxChannels; ++k)
+        if (counts(k) && phase(k) == phase(channel)) out |= ChannelSet{1} << k;
+    return out;
+}
+
 WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const noexcept {
     const Arrival& mine = arrivals_[channel];
     if (!counts(channel)) return {};
     // a fault can only mean these; other obstacles are removed by the operator
-    ChannelSet alike = 0;
-    for (unsigned k = 0; k < kMaxChannels; ++k)
-        if (counts(k) && phase(k) == phase(channel)) alike |= ChannelSet{1} << k;
+    const ChannelSet like = alike(channel);
     for (unsigned k = 0; k < kMaxChannels; ++k) {
         const Arrival& other = arrivals_[k];
-        if (mine.code != kProgramEnd && k != channel && (alike >> k & 1u) &&
+        if (mine.code != kProgramEnd && k != channel && (like >> k & 1u) &&
             other.code == mine.code && other.set != mine.set && (other.set & mine.set))
             return {Fault::OtherSet, ChannelSet{1} << k};
     }
-    // A channel leaves only when all that it misses have come, so one stuck partner suffices: walk
-    // from this channel along «misses, and that one waits elsewhere»; coming back to it closes a
-    // deadlock. Only deadlocks through the newcomer are new.
+    const Ring ring = deadlock(channel, no_wait);
+    if (ring.count == 0) return {};
+    ChannelSet with = 0;
+    for (unsigned i = 1; i < ring.count; ++i) with |= ChannelSet{1} << ring.channel[i];
+    return {Fault::Circle, with};
+}
+
+// A channel leaves only when all that it misses have come, so one stuck partner suffices: walk from
+// this channel along «misses, and that one waits elsewhere», all channels of the same distance at
+// once; coming back to it closes a deadlock. Only deadlocks through the newcomer are new.
+WaitBoard::Ring WaitBoard::deadlock(unsigned channel, ChannelSet no_wait) const noexcept {
+    Ring ring;
+    if (!counts(channel)) return ring;
+    const ChannelSet like = alike(channel);
     ChannelSet reached = 0, frontier = ChannelSet{1} << channel;
-    std::array<std::uint8_t, kMaxChannels> from{};
+    std::array<std::uint8_t, kMaxChannels> from{};  // the channel that misses it
     while (frontier) {
         ChannelSet next = 0;
         for (unsigned c = 0; c < kMaxChannels; ++c) {
@@ -98,21 +114,23 @@ WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const 
             const ChannelSet lacks = missing(c, no_wait);
             for (unsigned k = 0; k < kMaxChannels; ++k) {
                 const ChannelSet bit = ChannelSet{1} << k;
-                if (!(lacks & alike & bit) || (reached & bit)) continue;
+                if (!(lacks & like & bit) || (reached & bit)) continue;
                 from[k] = static_cast<std::uint8_t>(c);
                 reached |= bit;
                 next |= bit;
             }
         }
         if (reached >> channel & 1u) {
-            ChannelSet circle = 0;
-            for (unsigned c = from[channel]; c != channel; c = from[c])
-                circle |= ChannelSet{1} << c;
-            return {Fault::Circle, circle};
+            unsigned c = channel;  // backwards from the end of the ring to its beginning
+            do ring.channel[kMaxChannels - ++ring.count] = static_cast<std::uint8_t>(c = from[c]);
+            while (c != channel);
+            for (unsigned i = 0; i < ring.count; ++i)
+                ring.channel[i] = ring.channel[kMaxChannels - ring.count + i];
+            return ring;
         }
         frontier = next;
     }
-    return {};
+    return ring;
 }
 
 }  // namespace polyturn::kernel

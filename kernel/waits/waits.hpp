@@ -14,7 +14,9 @@
 //     live: no alarm, reset or death has to take it away, and none can forget to.
 // I3  Only like meets like: a cut a cut, a dry run a dry run, a block by hand another one, a search
 //     one of the same restart.
-// Pure arithmetic on 16 channels: no clock, no image. Tested against plain models.
+// Pure arithmetic on 16 channels: no clock, no image. A library of its own: the kernel asks it each
+// tick, and `check` asks the same one without time (supervisor/check/wait_match.hpp). Tested against
+// plain models.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -59,6 +61,11 @@ public:
     struct Verdict {
         Fault fault = Fault::None;
         ChannelSet with = 0;  // the channels concerned besides the one that arrived
+    };
+    // Channels that wait for each other: each misses the next one, the last one the first.
+    struct Ring {
+        std::array<std::uint8_t, kMaxChannels> channel{};
+        unsigned count = 0;  // 0: no deadlock
     };
 
     // Code of a wait for the end of the programs of its set, whatever those wait for themselves.
@@ -115,6 +122,8 @@ public:
     ChannelSet release(ChannelSet no_wait) noexcept;
     // Is what `channel` just arrived at impossible? Ask after release().
     Verdict judge(unsigned channel, ChannelSet no_wait) const noexcept;
+    // The shortest deadlock through `channel`, beginning with it.
+    Ring deadlock(unsigned channel, ChannelSet no_wait) const noexcept;
 
 private:
     static constexpr std::int32_t kMarkers = 100;
@@ -125,6 +134,8 @@ private:
         return came_as.kind == Kind::Cut && standing_[channel].dry ? Phase{Kind::Dry, 0} : came_as;
     }
     bool meets(std::int32_t code, ChannelSet set, const Phase& as, unsigned other) const noexcept;
+    // that are at a code and have come to it in the same phase
+    ChannelSet alike(unsigned channel) const noexcept;
     std::array<Arrival, kMaxChannels> arrivals_{};
     std::array<Standing, kMaxChannels> standing_{};
     Marks marks_{}, searched_{};

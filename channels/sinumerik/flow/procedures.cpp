@@ -5,6 +5,7 @@
 
 #include "channels/sinumerik/interpreter.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
+#include "ipc/machine/wait_name.hpp"
 
 namespace polyturn::channels::sinumerik {
 
@@ -171,7 +172,6 @@ bool Interpreter::p_wait_marker(Call& c) {
 
 // WAITE(channel ...): until the programs of the other channels have ended.
 bool Interpreter::p_wait_end(Call& c) {
-    constexpr std::int64_t kProgramEnd = 100;  // behind the markers
     std::uint32_t channels = 1u << (core_.view().channel - 1);
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         unsigned channel = 0;
@@ -183,7 +183,7 @@ bool Interpreter::p_wait_end(Call& c) {
         channels |= 1u << (channel - 1);
     }
     core_.mark_emitted();
-    core_.sink().wait({kProgramEnd, "WAITE", channels, false}, core_.at);
+    core_.sink().wait({kWaitAtProgramEnd, "WAITE", channels, false}, core_.at);
     stop_reading();
     return true;
 }

@@ -290,8 +290,7 @@ private:
             if (kind == "marker") {
                 const auto event = nlohmann::json::parse(line, nullptr, false);
                 if (!event.is_discarded() && event.value("value", 0) != 0)
-                    matcher_.mark(interpreter.channel,
-                                  "M" + std::to_string(event.value("code", 0L)));
+                    matcher_.mark(interpreter.channel, event.value("code", -1));
             }
             if (kind == "select") note_selection(interpreter, line);
             if (kind == "start") start_others(line);
@@ -344,10 +343,14 @@ private:
         const auto event = nlohmann::json::parse(line, nullptr, false);
         if (event.is_discarded()) return wait;
         if (const auto code = event.find("code"); code != event.end()) {
-            wait.code = code->is_string() ? code->get<std::string>()
-                                          : "M" + std::to_string(code->get<long>());
-            if (code->is_number_integer() && waits_at_markers(channel))
-                wait.written = wait_name(Dialect::Sinumerik, code->get<int>());
+            if (code->is_string()) {
+                wait.written = code->get<std::string>();
+                wait.code = wait_code_of(wait.written).value_or(0);
+            } else if (code->is_number_integer()) {
+                wait.code = code->get<std::int32_t>();
+                wait.written = wait_name(
+                    waits_at_markers(channel) ? Dialect::Sinumerik : Dialect::Fanuc, wait.code);
+            }
         }
         if (const auto channels = event.find("channels");
             channels != event.end() && channels->is_array())

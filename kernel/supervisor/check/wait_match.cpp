@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <set>
 
+#include "ipc/machine/wait_name.hpp"
+
 namespace polyturn::supervisor {
 
 namespace {
@@ -15,13 +17,13 @@ std::string place_text(unsigned channel, const WaitPoint& wait) {
                        wait.line);
 }
 
-const std::string& written(const WaitPoint& wait) {
-    return wait.written.empty() ? wait.code : wait.written;
+std::string written(const WaitPoint& wait) {
+    return wait.written.empty() ? wait_name(Dialect::Fanuc, wait.code) : wait.written;
 }
 
 std::string set_text(std::uint32_t set) {
     std::string out;
-    for (unsigned channel = 1; channel <= 32; ++channel)
+    for (unsigned channel = 1; channel <= kMaxChannels; ++channel)
         if (set & (1u << (channel - 1)))
             out += fmt::format("{}L{}", out.empty() ? "" : " ", channel);
     return out;
@@ -29,30 +31,48 @@ std::string set_text(std::uint32_t set) {
 
 std::uint32_t bit_of(unsigned channel) { return 1u << (channel - 1); }
 
-const std::string kProgramEnd = "WAITE";  // a wait that the end of the others' programs opens
+constexpr std::int32_t kProgramEnd = kernel::WaitBoard::kProgramEnd;
 
 }  // namespace
+
+std::vector<WaitPoint>::iterator WaitMatcher::Track::coming(std::int32_t code) {
+    return std::find_if(here(), waits.end(), [&](const WaitPoint& w) { return w.code == code; });
+}
+
+std::vector<WaitPoint>::const_iterator WaitMatcher::Track::coming(std::int32_t code) const {
+    return std::find_if(here(), waits.end(), [&](const WaitPoint& w) { return w.code == code; });
+}
+
+// The board sees the channel at its next wait, as ended when it has none and its text is read, and
+// else on its way.
+void WaitMatcher::place(unsigned channel) {
+    const Track& track = tracks_[channel];
+    const WaitPoint* wait = standing(channel);
+    board_.leave(channel - 1);
+    board_.tell(channel - 1, {.live = !track.ended, .ended = track.ended && !wait});
+    if (wait) board_.arrive(channel - 1, wait->code, wait->set | bit_of(channel));
+}
 
 void WaitMatcher::arrive(unsigned channel, WaitPoint wait) {
     Track& track = tracks_[channel];
     track.waits.push_back(std::move(wait));
-    if (track.next + 1 == track.waits.size()) track.arrived = ++clock_;
+    if (track.next + 1 != track.waits.size()) return;
+    track.arrived = ++clock_;
+    place(channel);
 }
 
 void WaitMatcher::begin(unsigned channel) {
     Track& track = tracks_[channel];
     track.ended = track.broken = false;
-    track.markers.erase(kProgramEnd);
+    place(channel);
 }
 
-void WaitMatcher::mark(unsigned channel, const std::string& code) {
-    tracks_[channel].markers.insert(code);
-}
+void WaitMatcher::mark(unsigned channel, std::int32_t code) { board_.mark(channel - 1, code, true); }
 
 void WaitMatcher::end(unsigned channel, bool broken) {
     tracks_[channel].ended = true;
-    tracks_[channel].markers.insert(kProgramEnd);
     tracks_[channel].broken = broken;
+    place(channel);
 }
 
 const WaitPoint* WaitMatcher::standing(unsigned channel) const {
@@ -63,51 +83,46 @@ const WaitPoint* WaitMatcher::standing(unsigned channel) const {
 
 bool WaitMatcher::stands(unsigned channel) const { return standing(channel) != nullptr; }
 
-bool WaitMatcher::comes_to(unsigned channel, const std::string& code) const {
+// Every program comes to its end, once nothing in front of it is in the way.
+bool WaitMatcher::comes_to(unsigned channel, std::int32_t code) const {
     const auto found = tracks_.find(channel);
     if (found == tracks_.end()) return false;
     const Track& track = found->second;
-    return std::any_of(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next),
-                       track.waits.end(), [&](const WaitPoint& wait) { return wait.code == code; });
+    return code == kProgramEnd || track.coming(code) != track.waits.end();
 }
 
 void WaitMatcher::advance(unsigned channel) {
     Track& track = tracks_[channel];
     ++track.next;
     if (track.next < track.waits.size()) track.arrived = ++clock_;
+    place(channel);
+}
+
+// A fault is repaired by taking the next wait at this code out of the program.
+void WaitMatcher::take_out(unsigned channel, std::int32_t code) {
+    Track& track = tracks_[channel];
+    if (const auto at = track.coming(code); at != track.waits.end()) track.waits.erase(at);
+    place(channel);
 }
 
 std::vector<unsigned> WaitMatcher::meet() {
     std::vector<unsigned> released;
-    for (bool again = true; again;) {
-        again = false;
-        for (const auto& [channel, track] : tracks_) {
-            const WaitPoint* wait = standing(channel);
-            if (!wait) continue;
-            const std::uint32_t set = wait->set | bit_of(channel);
-            std::uint32_t here = 0, marked = 0;
-            for (const auto& [other, one] : tracks_) {
-                const WaitPoint* there = standing(other);
-                if (wait->code == kProgramEnd && other != channel)
-                    marked |= one.ended ? set & bit_of(other) : 0u;
-                else if (there && (set & bit_of(other)) && there->code == wait->code &&
-                         (there->set | bit_of(other)) == set)
-                    here |= bit_of(other);
-                else if ((set & bit_of(other)) && one.markers.count(wait->code))
-                    marked |= bit_of(other);
-            }
-            if ((here | marked) != set) continue;
+    while (kernel::ChannelSet leave = board_.release(0)) {
+        for (unsigned first = 1; first <= kMaxChannels; ++first) {
+            if (!(leave & bit_of(first))) continue;
+            const WaitPoint wait = *standing(first);
+            const std::uint32_t set = wait.set | bit_of(first);
             // a set of one channel passes at once and is no rendezvous
-            if (set != bit_of(channel) && wait->code != kProgramEnd) ++meetings_;
-            const std::string code = wait->code;
-            for (unsigned other = 1; other <= 32; ++other)
-                if (here & bit_of(other)) {
-                    tracks_[other].markers.erase(code);
-                    advance(other);
-                    released.push_back(other);
-                }
-            again = true;
-            break;
+            if (set != bit_of(first) && wait.code != kProgramEnd) ++meetings_;
+            for (unsigned other = first; other <= kMaxChannels; ++other) {
+                if (!(leave & bit_of(other))) continue;
+                const WaitPoint& there = *standing(other);
+                const bool same = there.code == wait.code && (there.set | bit_of(other)) == set;
+                if (other != first && !same) continue;
+                leave &= ~bit_of(other);
+                released.push_back(other);
+                advance(other);
+            }
         }
     }
     return released;
@@ -122,10 +137,7 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         std::vector<unsigned> members;
         bool different = false;
         for (const auto& [other, other_track] : tracks_) {
-            const auto from =
-                other_track.waits.begin() + static_cast<std::ptrdiff_t>(other_track.next);
-            const auto at = std::find_if(from, other_track.waits.end(),
-                                         [&](const WaitPoint& w) { return w.code == wait->code; });
+            const auto at = other_track.coming(wait->code);
             if (at == other_track.waits.end()) continue;
             members.push_back(other);
             different = different || (at->set | bit_of(other)) != (wait->set | bit_of(channel));
@@ -137,11 +149,8 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         std::uint64_t latest = 0;
         for (const unsigned member : members) {
             const Track& other = tracks_[member];
-            const auto at = std::find_if(
-                other.waits.begin() + static_cast<std::ptrdiff_t>(other.next), other.waits.end(),
-                [&](const WaitPoint& w) { return w.code == wait->code; });
-            const bool stands_there =
-                at == other.waits.begin() + static_cast<std::ptrdiff_t>(other.next);
+            const auto at = other.coming(wait->code);
+            const bool stands_there = at == other.here();
             fault.places.emplace_back(member, *at);
             text += fmt::format("{} {} waits for {}", fault.places.size() > 1 ? "," : "",
                                 place_text(member, *at), set_text(at->set | bit_of(member)));
@@ -154,15 +163,8 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         }
         fault.diagnosis.alarm = Alarm::SyncDifferentSets;
         fault.diagnosis.detail = std::move(text);
-        // Repaired by taking this code's next occurrence out of every channel.
-        const std::string code = wait->code;
-        for (const unsigned member : members) {
-            Track& other = tracks_[member];
-            const auto at =
-                std::find_if(other.waits.begin() + static_cast<std::ptrdiff_t>(other.next),
-                             other.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
-            other.waits.erase(at);
-        }
+        const std::int32_t code = wait->code;
+        for (const unsigned member : members) take_out(member, code);
         faults.push_back(std::move(fault));
         return true;
     }
@@ -173,7 +175,7 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
     for (const auto& [channel, track] : tracks_) {
         const WaitPoint* wait = standing(channel);
         if (!wait) continue;
-        for (unsigned partner = 1; partner <= 32; ++partner) {
+        for (unsigned partner = 1; partner <= kMaxChannels; ++partner) {
             if (!(wait->set & bit_of(partner)) || partner == channel ||
                 comes_to(partner, wait->code))
                 continue;
@@ -200,16 +202,10 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
                     fmt::format("{} waits at {} for L{}, which never comes: {}",
                                 place_text(channel, *wait), written(*wait), partner, why);
             }
-            // Repaired by taking the code out of every channel that has it next with this set.
-            const std::string code = wait->code;
+            const std::int32_t code = wait->code;
             const std::uint32_t set = wait->set;
-            for (auto& [other, other_track] : tracks_) {
-                const auto at = std::find_if(
-                    other_track.waits.begin() + static_cast<std::ptrdiff_t>(other_track.next),
-                    other_track.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
-                if (at != other_track.waits.end() && (set & bit_of(other)))
-                    other_track.waits.erase(at);
-            }
+            for (const auto& [other, other_track] : tracks_)
+                if (set & bit_of(other)) take_out(other, code);
             faults.push_back(std::move(fault));
             return true;
         }
@@ -218,37 +214,19 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
 }
 
 bool WaitMatcher::report_cycle(std::vector<WaitFault>& faults) {
-    // Every partner will come; so each stopped channel waits for one that is at another code.
-    // Follow that until it closes.
-    unsigned at = 0;
-    for (const auto& [channel, track] : tracks_)
-        if (standing(channel)) {
-            at = channel;
-            break;
-        }
-    if (!at) return false;
-    std::vector<unsigned> way;
-    while (std::find(way.begin(), way.end(), at) == way.end()) {
-        way.push_back(at);
-        const WaitPoint* wait = standing(at);
-        unsigned next = 0;
-        for (const auto& [other, track] : tracks_) {
-            const WaitPoint* there = standing(other);
-            if (other != at && (wait->set & bit_of(other)) && there && there->code != wait->code) {
-                next = other;
-                break;
-            }
-        }
-        if (!next) return false;
-        at = next;
-    }
-    way.erase(way.begin(), std::find(way.begin(), way.end(), at));
+    // Every partner will come; so each stopped channel waits for one that is at another code, and
+    // following that from any of them leads into a ring.
+    kernel::WaitBoard::Ring ring;
+    for (unsigned channel = 1; channel <= kMaxChannels && ring.count == 0; ++channel)
+        if (standing(channel)) ring = board_.deadlock(channel - 1, 0);
+    if (ring.count == 0) return false;
     WaitFault fault;
     fault.diagnosis.alarm = Alarm::SyncCycle;
     std::string text = "deadlock:";
     std::uint64_t latest = 0;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-        const unsigned channel = way[i], partner = way[(i + 1) % way.size()];
+    for (unsigned i = 0; i < ring.count; ++i) {
+        const unsigned channel = ring.channel[i] + 1u,
+                       partner = ring.channel[(i + 1) % ring.count] + 1u;
         const WaitPoint& wait = *standing(channel);
         text += fmt::format("{} {} waits at {} for L{}", i ? "," : "", place_text(channel, wait),
                             written(wait), partner);
@@ -261,16 +239,11 @@ bool WaitMatcher::report_cycle(std::vector<WaitFault>& faults) {
         }
     }
     fault.diagnosis.detail = std::move(text);
-    // Repaired by taking every code of the cycle out of all channels once.
-    std::set<std::string> codes;
+    // repaired by taking every code of the ring out of all channels once
+    std::set<std::int32_t> codes;
     for (const auto& [channel, wait] : fault.places) codes.insert(wait.code);
-    for (const auto& code : codes)
-        for (auto& [other, track] : tracks_) {
-            const auto found =
-                std::find_if(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next),
-                             track.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
-            if (found != track.waits.end()) track.waits.erase(found);
-        }
+    for (const std::int32_t code : codes)
+        for (const auto& [other, track] : tracks_) take_out(other, code);
     faults.push_back(std::move(fault));
     return true;
 }
@@ -280,6 +253,7 @@ bool WaitMatcher::drop_open_end() {
     for (auto& [channel, track] : tracks_)
         if (standing(channel)) {
             ++track.next;
+            place(channel);
             return true;
         }
     return false;

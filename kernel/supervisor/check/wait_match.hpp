@@ -1,8 +1,8 @@
 // Do the waits of several programs fit together? (architecture 7). Works on what each channel does
-// in order, without time: a wait is met when every channel of its set is at the same code with
-// the same set.
+// in order, without time. Who meets whom is the kernel's own board (kernel/waits): each channel is
+// put there at the wait that it comes to next, and what the board releases goes on to the one
+// behind. Only what needs the future is added here.
 //
-//   Meeting   all channels of a set at the same (code, set): they go on together.
 //   Faults, found when no channel can go on (each named once; then matching goes on as if it were
 //   repaired):
 //     different sets   two channels stand at, or will come to, the same code with different sets
@@ -15,20 +15,20 @@
 #pragma once
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "kernel/waits/waits.hpp"
 
 namespace polyturn::supervisor {
 
 struct WaitPoint {
-    std::string code;       // "M501" or a marker's name; the same in every language
+    std::int32_t code = 0;  // M code, marker or one of ipc/machine/wait_name.hpp
     std::uint32_t set = 0;  // bit 0 is channel 1
     std::string file;
     std::uint32_t line = 0;
-    std::string written = {};  // as the channel's language writes the code; empty: as it is
+    std::string written = {};  // as the channel's language writes the code; empty: M code
 };
 
 struct WaitFault {
@@ -46,7 +46,7 @@ public:
     // A marker that the channel sets counts as its arrival at that code, until it waits there
     // itself. When it clears the marker again is not known without time: a partner is taken to have
     // come before.
-    void mark(unsigned channel, const std::string& code);
+    void mark(unsigned channel, std::int32_t code);
     // The program has ended; `broken`: with an alarm, so nothing can be said about the rest of it.
     void end(unsigned channel, bool broken);
 
@@ -64,18 +64,25 @@ private:
         std::vector<WaitPoint> waits;
         std::size_t next = 0;  // waits[next] is its position
         bool ended = false, broken = false;
-        std::set<std::string> markers;
         std::uint64_t arrived = 0;  // order of arrival at `next`
+        auto here() { return waits.begin() + static_cast<std::ptrdiff_t>(next); }
+        auto here() const { return waits.begin() + static_cast<std::ptrdiff_t>(next); }
+        // the next wait at this code, waits.end(): it comes to none
+        std::vector<WaitPoint>::iterator coming(std::int32_t code);
+        std::vector<WaitPoint>::const_iterator coming(std::int32_t code) const;
     };
     const WaitPoint* standing(unsigned channel) const;
-    bool comes_to(unsigned channel, const std::string& code) const;
+    bool comes_to(unsigned channel, std::int32_t code) const;
+    void place(unsigned channel);
     void advance(unsigned channel);
+    void take_out(unsigned channel, std::int32_t code);
     bool report_different_sets(std::vector<WaitFault>& faults);
     bool report_missing(std::vector<WaitFault>& faults);
     bool report_cycle(std::vector<WaitFault>& faults);
     bool drop_open_end();
 
     std::map<unsigned, Track> tracks_;
+    kernel::WaitBoard board_;  // where each of them stands
     std::size_t meetings_ = 0;
     std::uint64_t clock_ = 0;
 };

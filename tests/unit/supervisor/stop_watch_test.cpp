@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ipc/machine/wait_name.hpp"
+
 #include <algorithm>
 #include <memory>
 
@@ -71,7 +73,7 @@ TEST(StopWatch, LeavesOutWhatBelongsToEveryProgram) {
     EXPECT_DOUBLE_EQ(shift.told[1].seconds, 60);
 }
 
-// Marker 3 is no M3, and marker 100 of WAITE none at all.
+// Marker 3 is no M3, and WAITE no marker at all.
 TEST(StopWatch, NamesAWaitAsTheLanguageOfTheProgramWritesIt) {
     Shift shift;
     shift.pass(5, ChannelState::Running);
@@ -79,7 +81,7 @@ TEST(StopWatch, NamesAWaitAsTheLanguageOfTheProgramWritesIt) {
     shift.is->channels[1].wait_code = 3;
     shift.is->channels[1].wait_missing = 1;
     shift.pass(60, ChannelState::Waiting);
-    shift.is->channels[1].wait_code = 100;
+    shift.is->channels[1].wait_code = kWaitAtProgramEnd;
     shift.pass(60, ChannelState::Waiting);
     shift.pass(1, ChannelState::Running);
     ASSERT_EQ(shift.told.size(), 4u);

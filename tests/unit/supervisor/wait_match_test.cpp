@@ -12,7 +12,7 @@ namespace polyturn::supervisor {
 namespace {
 
 struct Planned {
-    const char* code;
+    std::int32_t code;
     std::uint32_t set;
 };
 using Programs = std::map<unsigned, std::vector<Planned>>;
@@ -40,20 +40,20 @@ std::vector<Alarm> faults_of(const Programs& programs, std::size_t* meetings = n
 
 TEST(WaitMatch, FitsTogether) {
     std::size_t meetings = 0;
-    EXPECT_TRUE(faults_of({{1, {{"M501", 3}, {"M502", 3}, {"M501", 3}}},
-                           {2, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}},
+    EXPECT_TRUE(faults_of({{1, {{501, 3}, {502, 3}, {501, 3}}},
+                           {2, {{501, 3}, {502, 3}, {501, 3}}}},
                           &meetings)
                     .empty());
     EXPECT_EQ(meetings, 3u);
     // Three channels, as nct_parameters_part2 23.4: the third comes first and waits.
     EXPECT_TRUE(
         faults_of(
-            {{1, {{"M520", 3}, {"M521", 7}}}, {2, {{"M520", 3}, {"M521", 7}}}, {3, {{"M521", 7}}}},
+            {{1, {{520, 3}, {521, 7}}}, {2, {{520, 3}, {521, 7}}}, {3, {{521, 7}}}},
             &meetings)
             .empty());
     EXPECT_EQ(meetings, 2u);
     // only itself: passes at once
-    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());
+    EXPECT_TRUE(faults_of({{1, {{501, 1}}}, {2, {}}}, &meetings).empty());
     EXPECT_EQ(meetings, 0u);
 }
 
@@ -62,12 +62,12 @@ TEST(WaitMatch, AProgramMayFollowAnother) {
     WaitMatcher matcher;
     matcher.begin(1);
     matcher.begin(2);
-    matcher.arrive(1, {"WAITE", 3, "O1", 10});
+    matcher.arrive(1, {kernel::WaitBoard::kProgramEnd, 3, "O1", 10});
     EXPECT_TRUE(matcher.meet().empty());
     matcher.end(2, false);
     EXPECT_EQ(matcher.meet(), std::vector<unsigned>{1});
     matcher.begin(2);
-    matcher.arrive(1, {"WAITE", 3, "O1", 20});
+    matcher.arrive(1, {kernel::WaitBoard::kProgramEnd, 3, "O1", 20});
     EXPECT_TRUE(matcher.meet().empty());
     matcher.end(2, false);
     EXPECT_EQ(matcher.meet(), std::vector<unsigned>{1});
@@ -76,20 +76,20 @@ TEST(WaitMatch, AProgramMayFollowAnother) {
 TEST(WaitMatch, EachFaultIsNamedOnce) {
     using A = Alarm;
     const std::pair<Programs, std::vector<Alarm>> rows[] = {
-        {{{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}}, {A::SyncCycle}},
-        {{{1, {{"M501", 3}}}, {2, {}}}, {A::SyncUnpaired}},
-        {{{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}}}}, {A::SyncUnpaired}},
-        {{{1, {{"M501", 5}}}, {2, {}}}, {A::SyncAbsent}},
-        {{{1, {{"M501", 3}}}, {2, {{"M501", 7}}}, {3, {{"M501", 7}}}}, {A::SyncDifferentSets}},
-        {{{1, {{"M501", 3}, {"M503", 3}}}, {2, {{"M501", 1 | 2 | 4}, {"M503", 3}}}, {3, {}}},
+        {{{1, {{501, 3}, {502, 3}}}, {2, {{502, 3}, {501, 3}}}}, {A::SyncCycle}},
+        {{{1, {{501, 3}}}, {2, {}}}, {A::SyncUnpaired}},
+        {{{1, {{501, 3}, {502, 3}}}, {2, {{502, 3}}}}, {A::SyncUnpaired}},
+        {{{1, {{501, 5}}}, {2, {}}}, {A::SyncAbsent}},
+        {{{1, {{501, 3}}}, {2, {{501, 7}}}, {3, {{501, 7}}}}, {A::SyncDifferentSets}},
+        {{{1, {{501, 3}, {503, 3}}}, {2, {{501, 1 | 2 | 4}, {503, 3}}}, {3, {}}},
          {A::SyncDifferentSets}},
         // 1 waits for 2, 2 for 3, 3 for 1, and everybody would come later.
-        {{{1, {{"M501", 3}, {"M503", 5}}},
-          {2, {{"M502", 6}, {"M501", 3}}},
-          {3, {{"M503", 5}, {"M502", 6}}}},
+        {{{1, {{501, 3}, {503, 5}}},
+          {2, {{502, 6}, {501, 3}}},
+          {3, {{503, 5}, {502, 6}}}},
          {A::SyncCycle}},
         // Two independent faults.
-        {{{1, {{"M501", 3}, {"M502", 3}, {"M509", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}},
+        {{{1, {{501, 3}, {502, 3}, {509, 3}}}, {2, {{502, 3}, {501, 3}}}},
          {A::SyncCycle, A::SyncUnpaired}},
     };
     for (std::size_t i = 0; i < std::size(rows); ++i) {
@@ -100,7 +100,7 @@ TEST(WaitMatch, EachFaultIsNamedOnce) {
 
 TEST(WaitMatch, AFaultNamesChannelsProgramsAndLines) {
     WaitMatcher matcher =
-        matcher_of({{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}});
+        matcher_of({{1, {{501, 3}, {502, 3}}}, {2, {{502, 3}, {501, 3}}}});
     const auto faults = matcher.find_faults();
     ASSERT_EQ(faults.size(), 1u);
     const std::string text = faults[0].diagnosis.text();
@@ -114,7 +114,7 @@ TEST(WaitMatch, NothingIsSaidAboutWhatFollowsAnAlarm) {
     WaitMatcher matcher;
     matcher.begin(1);
     matcher.begin(2);
-    matcher.arrive(1, {"M501", 3, "O1", 1});
+    matcher.arrive(1, {501, 3, "O1", 1});
     matcher.end(1, false);
     matcher.end(2, true);
     EXPECT_TRUE(matcher.find_faults().empty());
@@ -136,7 +136,7 @@ bool model_fits(Programs programs, std::size_t& meetings) {
                 const auto found = programs.find(other);
                 complete = complete && found != programs.end() &&
                            next[other] < found->second.size() &&
-                           std::string_view(found->second[next[other]].code) == wait.code &&
+                           found->second[next[other]].code == wait.code &&
                            found->second[next[other]].set == wait.set;
             }
             if (!complete) continue;
@@ -153,14 +153,14 @@ bool model_fits(Programs programs, std::size_t& meetings) {
 }
 
 PROPERTY(WaitMatch, AgreesWithTheModel, ()) {
-    static constexpr const char* kCodes[] = {"M501", "M502", "M503"};
+    static constexpr std::int32_t kCodes[] = {501, 502, 503};
     Programs programs;
     const unsigned channels = *rc::gen::inRange(2u, 5u);
     for (unsigned channel = 1; channel <= channels; ++channel) programs[channel];
     const int steps = *rc::gen::inRange(0, 12);
     for (int i = 0; i < steps; ++i) {
         // Mostly meetings that fit; then a mistake is made now and then.
-        const char* code = kCodes[*rc::gen::inRange(0, 3)];
+        const std::int32_t code = kCodes[*rc::gen::inRange(0, 3)];
         const auto set = *rc::gen::inRange(1u, 1u << channels);
         for (unsigned channel = 1; channel <= channels; ++channel) {
             if (!(set >> (channel - 1) & 1u)) continue;
@@ -181,8 +181,8 @@ TEST(WaitMatch, TakesAMarkerForAnArrival) {
     WaitMatcher matcher;
     matcher.begin(1);
     matcher.begin(2);
-    matcher.mark(1, "M7");
-    matcher.arrive(2, {"M7", 3, "B", 1});
+    matcher.mark(1, 7);
+    matcher.arrive(2, {7, 3, "B", 1});
     EXPECT_EQ(matcher.meet(), std::vector<unsigned>{2});
     matcher.end(1, false);
     matcher.end(2, false);

@@ -45,6 +45,19 @@ TEST(Waits, ForTheEndOfAProgramOpensWhenTheOtherRestsWhateverItWaitsFor) {
     EXPECT_EQ(board.release(0), 0u);
 }
 
+// A wait M code may be any number (N2201 to N2202); M100 to M199 are common ones.
+TEST(Waits, NoMCodeOfAWaitIsTheEndOfAProgram) {
+    for (std::int32_t code = 0; code < 10'000; ++code) {
+        WaitBoard board;
+        board.tell(2, {.ended = true});
+        board.arrive(0, code, 0b111);
+        EXPECT_EQ(board.missing(0, 0), 0b110u) << "M" << code;
+        board.arrive(1, code, 0b111);
+        board.arrive(2, code, 0b111);
+        ASSERT_EQ(board.release(0), 0b111u) << "M" << code;
+    }
+}
+
 TEST(Waits, ReleaseWhomThePlainModelReleases) {
     std::mt19937 random(test_seed(4711));
     for (int round = 0; round < 200; ++round) {
