@@ -184,7 +184,7 @@ constexpr auto kLeftOut = std::to_array<LeftOut>({
     {"FagorZoneEntered", "fagor: G122"},
     {"FagorZoneLeft", "fagor: G122"},
     {"ProgramAlarmUnsure",
-     "several channels whose axes follow each other: examples/jobs/transfer, tests/e2e/check_and_run_e2e.py"},
+     "several channels whose axes follow each other: examples/jobs/transfer, tests/e2e/check/check_and_run_e2e.py"},
     {"SubframeRotates", "sinumerik: corners and compensation in a plane that a frame inclines"},
 });
 

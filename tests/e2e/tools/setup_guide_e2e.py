@@ -8,7 +8,7 @@ import unittest
 
 from presetter_e2e import draw, insert
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
 POLYTURN = pathlib.Path(os.environ["POLYTURN"]).resolve()
 PRESETTER = (POLYTURN.parent / "polyturn-presetter").exists()
 
