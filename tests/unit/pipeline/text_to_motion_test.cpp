@@ -88,23 +88,27 @@ Driven drive(const std::vector<PathRecord>& records, const channels::PathLimits&
     kernel::PathInput input;
     input.spindle_rev_s = rev_s.data();
     Driven driven;
+    // positions now and at the three ticks before; where the path has taken each axis
     std::array<std::array<double, 4>, kMaxAxes> p{};
-    for (auto& axis : p) axis.fill(std::nan(""));
-    const auto put = [&](const PathRecord& r, double s) {
+    std::array<double, kMaxAxes> to;
+    to.fill(std::nan(""));
+    const auto place = [&](const PathRecord& r, double s) {
         SlotVector at{};
         position_at(r, s, at);
-        std::array<bool, kMaxAxes> moves{};
-        std::array<double, kMaxAxes> to{};
-        for (std::size_t i = 0; i < r.axis_count; ++i) {
-            moves[r.axis[i]] = true;
-            to[r.axis[i]] = at[i];
-        }
+        for (std::size_t i = 0; i < r.axis_count; ++i) to[r.axis[i]] = at[i];
+    };
+    // Every axis stands where it first moves from.
+    for (const PathRecord& r : records) {
+        for (std::size_t i = 0; is_motion(r) && i < r.axis_count; ++i)
+            if (std::isnan(to[r.axis[i]])) to[r.axis[i]] = r.start[i];
+    }
+    for (std::size_t n = 0; n < kMaxAxes; ++n) p[n].fill(to[n]);
+    const auto judge = [&] {
         for (std::size_t n = 0; n < kMaxAxes; ++n) {
             auto& q = p[n];
-            if (moves[n] && std::isnan(q[0])) q.fill(to[n]);
-            if (std::isnan(q[0])) continue;
+            if (std::isnan(to[n])) continue;
             std::rotate(q.rbegin(), q.rbegin() + 1, q.rend());
-            q[0] = moves[n] ? to[n] : q[1];
+            q[0] = to[n];
             const channels::PathAxis& most = limits.axis[n];
             driven.v = std::max(driven.v, std::abs(q[0] - q[1]) / kDt / most.rapid);
             driven.a =
@@ -113,11 +117,6 @@ Driven drive(const std::vector<PathRecord>& records, const channels::PathLimits&
                                               (kDt * kDt * kDt) / most.jerk);
         }
     };
-    // Every axis stands where it first moves from.
-    for (const PathRecord& r : records) {
-        for (std::size_t i = 0; is_motion(r) && i < r.axis_count; ++i)
-            if (std::isnan(p[r.axis[i]][0])) p[r.axis[i]].fill(r.start[i]);
-    }
     for (int tick = 1; tick < 3'000'000 && !driven.ended; ++tick) {
         while (planner->wants_record() && planner->next_record() < records.size()) {
             const PathRecord& r = records[planner->next_record()];
@@ -127,8 +126,13 @@ Driven drive(const std::vector<PathRecord>& records, const channels::PathLimits&
         }
         operate(tick, input, rev_s);
         const kernel::PathStep step = planner->tick(input);
+        // as the kernel does: the axes of a record that ended within the tick are at its end, also
+        // those that the record behind it does not move
+        for (std::uint64_t i = step.ended_from; i < step.ended_to; ++i)
+            if (is_motion(records[i])) place(records[i], records[i].length);
         if (step.record < records.size() && is_motion(records[step.record]))
-            put(records[step.record], step.s);
+            place(records[step.record], step.s);
+        judge();
         if (step.record < records.size() && (records[step.record].flags & kRapid) == 0)
             driven.fastest = std::max(driven.fastest, step.speed);
         if (step.stands == kernel::Stands::BeforeRecord) planner->skip(step.record + 1);
@@ -194,12 +198,8 @@ std::string random_program(std::uint64_t seed) {
 }
 
 TEST(TextToMotion, RandomProgramsKeepTheAxesLimits) {
-    // Known: where holds and overrides change within a block, one program of some thousand passes
-    // the jerk limit for a few ticks (seeds 479509793: 1.108, 1015: 1.022). No more than that.
-    constexpr double kKnownJerk = 1.25;
-    constexpr int kKnownPrograms = 1;
     Pipeline pipeline;
-    int driven_programs = 0, over_jerk = 0;
+    int driven_programs = 0;
     for (std::uint64_t seed = 1; seed <= 120; ++seed) {
         SCOPED_TRACE(seed);
         const std::vector<PathRecord> records = pipeline.records(random_program(seed));
@@ -228,10 +228,8 @@ TEST(TextToMotion, RandomProgramsKeepTheAxesLimits) {
         ASSERT_EQ(driven.anomalies, 0u);
         ASSERT_LE(driven.v, 1.01);
         ASSERT_LE(driven.a, 1.01);
-        ASSERT_LE(driven.j, kKnownJerk);
-        over_jerk += driven.j > 1.01;
+        ASSERT_LE(driven.j, 1.01);
     }
-    EXPECT_LE(over_jerk, kKnownPrograms);
     EXPECT_GT(driven_programs, 90);
 }
 
