@@ -1,0 +1,208 @@
+#include "channels/fagor/flow/step.hpp"
+
+#include <utility>
+
+#include "channels/fagor/execution.hpp"
+#include "channels/fagor/flow/block_order.hpp"
+#include "channels/fagor/flow/calls.hpp"
+#include "channels/fagor/flow/fault.hpp"
+#include "channels/fagor/flow/interrupts.hpp"
+#include "channels/fagor/flow/resume.hpp"
+#include "channels/fagor/flow/start_end.hpp"
+#include "channels/fagor/grammar/words.hpp"
+#include "channels/fagor/motion/dwell.hpp"
+#include "channels/fagor/motion/loop_scan.hpp"
+#include "channels/fagor/motion/probe.hpp"
+#include "channels/fagor/statements/statements.hpp"
+#include "channels/fagor/tools/managed_tools.hpp"
+
+namespace polyturn::channels::fagor {
+namespace {
+
+Step iso_block(Execution& x) {
+    x.run.jumped = x.run.called = x.run.wants_barrier = false;
+    const std::uint64_t ways_before = x.core.ways();
+    if (!classify(x)) return fault(x, x.core.fault());
+    if (std::exchange(x.interrupt.fill, false)) stay_where_left(x);
+    const GCode* one_shot = x.words.code(GGroup::OneShot);
+    // the axes rest first (architecture 5.8)
+    if (one_shot && one_shot->number == 46 && !x.run.fresh && !x.core.reads_ahead()) {
+        x.run.reread = true;
+        x.core.sink().barrier(x.core.at);
+        return Step::AtBarrier;
+    }
+    // what is held for its corner ends first
+    if (x.words.has('T') && x.core.reads_ahead() && !x.run.fresh &&
+        x.run.tool_serial != x.core.at.serial && !x.ahead.scans_loops && managed(x)) {
+        x.run.reread = true;
+        live_value_barrier(x);
+        return Step::AtBarrier;
+    }
+    if (asks_for_tool(x)) {
+        x.run.reread = true;
+        return Step::AtBarrier;
+    }
+    // G04 alone leaves a loop that asks the machine where it was
+    if (!(one_shot && one_shot->number == 4 && ends_reading(x))) x.core.did();
+    if (!(check_words(x) && act_in_order(x))) return fault(x, x.core.fault());
+    if (x.run.tool_serial == x.core.at.serial)
+        x.core.mark_emitted();  // its T came before the barrier
+    if (x.core.transformation_failed()) return fault(x, x.core.fault());
+    if (!x.run.called) x.modal.m_done = -1;
+    if (x.loops.due || (x.loops.scanned_to && x.run.serial >= x.loops.scanned_to)) {
+        x.loops.due = false;
+        if (!scan_loops(x)) return fault(x, x.core.fault());
+    }
+    return end_block(x, x.line.block.count != 0, ways_before);
+}
+
+Step end_of_text(Execution& x) {
+    CallFrame& frame = x.calls.here();
+    if (frame.kind == CallFrame::Kind::Subroutine)
+        return fault_at(x, Alarm::ProgramNotEnded, 0, 0, "RET");
+    if (frame.kind != CallFrame::Kind::Main) {
+        x.core.begin_block();
+        return return_from_frame(x) ? Step::Continue : fault(x, x.core.fault());
+    }
+    x.core.at.block = -1;
+    x.line.text = {};
+    x.core.begin_block();
+    finish(x, StopReason::End);
+    if (x.core.reads_ahead() && !x.core.compensation_failed()) return fault(x, x.core.fault());
+    x.core.end_block();
+    if (x.core.reads_ahead() && x.core.halted()) return Step::AtBarrier;
+    return Step::Ended;
+}
+
+// Blank lines may only stand behind the last block (fagor_8037t part 1, 2).
+Step blank_line(Execution& x) {
+    const TextPosition back = x.calls.source->next_position();
+    std::string_view line;
+    bool last = true;
+    while (last && x.calls.source->next(line) == LineSource::Status::Line)
+        last = line.find_first_not_of(" \t") == std::string_view::npos;
+    x.calls.source->seek(back);
+    return last ? Step::Continue : fault_at(x, Alarm::FagorBlockEmpty, 0, 0);
+}
+
+Step read_block(Execution& x) {
+    if (x.programs.definition_fault) {  // reported before anything moves
+        x.core.at.line = x.programs.definition_fault->place.line;
+        x.core.sink().alarm(*x.programs.definition_fault, x.core.at);
+        x.run.ended = true;
+        return Step::Failed;
+    }
+    CallFrame& frame = x.calls.here();
+    if (frame.kind == CallFrame::Kind::Repeat && !x.run.reread &&
+        x.calls.source->next_position().line > frame.last_line) {
+        x.core.begin_block();
+        return return_from_frame(x) ? Step::Continue : fault(x, x.core.fault());
+    }
+    if (!x.run.reread) {
+        x.core.at.serial = ++x.run.serial;
+        if (x.run.keeps_states)
+            note_resume_point(x);
+        else
+            x.values.begin_block(x.run.serial);
+        std::string_view line;
+        switch (x.calls.source->next(line)) {
+            case LineSource::Status::Line:
+                break;
+            case LineSource::Status::End:
+                return end_of_text(x);
+            case LineSource::Status::TooLong:
+                return fault_at(x, Alarm::LineTooLong, 0, 0);
+            case LineSource::Status::ReadError:
+                return fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+        }
+        x.line.take(line);
+        x.core.at.line = x.calls.source->position().line;
+        x.line.at = x.calls.source->position();
+        x.line.is_first = x.line.at.line == 1;
+    }
+    x.run.reread = false;
+    x.line.fault.line = x.line.fault.column = x.line.fault.length = 0;
+    x.words.by_letter.fill(nullptr);
+    x.core.begin_block();
+    BlockContext& at = x.core.at;
+    at.file = frame.file;
+    at.stack_depth = static_cast<std::uint8_t>(x.calls.frames.size() - 1);
+    at.block = -1;
+    at.cycle = {};
+    const BlockKind kind = x.parsers.reader.read(x.line.text, x.line.block);
+    if (x.line.block.label >= 0) at.block = x.modal.last_label = x.line.block.label;
+    switch (kind) {
+        case BlockKind::Blank:
+            return blank_line(x);
+        case BlockKind::Comment:
+        case BlockKind::Skipped:
+            return Step::Continue;
+        case BlockKind::Title:
+            if (x.line.is_first) return Step::Continue;
+            return fault_at(x, Alarm::CharacterUnknown, 1, 1, "%");
+        case BlockKind::NeedsBarrier:
+        case BlockKind::Fault:
+            return fault_at(x, x.parsers.reader.fault().alarm, x.parsers.reader.fault().column,
+                            x.parsers.reader.fault().length, x.parsers.reader.fault().detail);
+        case BlockKind::Iso:
+            if (x.run.keeps_states && !is_plain_move(x)) x.run.state_changed = true;
+            return iso_block(x);
+        case BlockKind::Statement:
+            break;
+    }
+    x.run.state_changed = true;
+    return statement_block(x);
+}
+
+}  // namespace
+
+Step step(Execution& x) {
+    if (x.core.reads_ahead()) {
+        if (x.core.halted()) return Step::AtBarrier;
+        if (!x.run.ended && !x.core.compensation_failed()) return fault(x, x.core.fault());
+    }
+    if (x.run.ended) return Step::Ended;
+    if (x.probe.under_way) return finish_probe(x);
+    return read_block(x);
+}
+
+void barrier_done(Execution& x) {
+    // compensation has read on: the program is ahead of this barrier
+    if (!x.core.barrier_passed()) return;
+    x.run.fresh = true;
+    x.core.refresh_limits();
+    take_machine(x);
+}
+
+void take_machine(Execution& x) {
+    const MachineView& view = x.core.view();
+    for (unsigned i = 0; i < view.axis_count; ++i)
+        if (const auto now = x.core.port().axis_taken_over(view.axes[i].machine_axis))
+            x.core.take_machine(i, *now);
+}
+
+void live_value_barrier(Execution& x) { x.core.sink().barrier(x.core.at); }
+
+// Behind words and statements: compensation goes on, and the modal subroutine runs where the block
+// has moved.
+Step end_block(Execution& x, bool counts, std::uint64_t ways_before) {
+    if (x.core.reads_ahead() &&
+        !x.core.end_compensated_block(counts && !x.run.called, x.run.wants_barrier, x.run.ended))
+        return fault(x, x.core.fault());
+    if (x.core.emitted()) {
+        x.run.fresh = false;
+        x.core.end_block();
+    }
+    if (!x.run.ended && x.core.ways() != ways_before &&
+        x.modal.modal_call.kind != ModalCall::Kind::None && !inside_modal_call(x)) {
+        if (!run_modal_call(x, x.words.repeats < 0 ? 1 : x.words.repeats))
+            return fault(x, x.core.fault());
+    }
+    // a barrier ahead may be held back
+    if (x.core.reads_ahead())
+        return x.core.halted() ? Step::AtBarrier : x.run.ended ? Step::Ended : Step::Continue;
+    if (x.run.ended) return Step::Ended;
+    return x.run.wants_barrier ? Step::AtBarrier : Step::Continue;
+}
+
+}  // namespace polyturn::channels::fagor
