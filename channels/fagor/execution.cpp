@@ -12,11 +12,11 @@ Execution::Execution(MachineView& view, Sink& sink, Port& port, ProgramFiles& pr
       settings(read_settings(view.table(), view.channel)),
       places(view),
       programs{program_files, {}, {}, {}, {}, {}, {}},
+      calls(program_files),
       parsers(*this) {
     // a tool's own offset until TLFD says otherwise
     for (std::size_t n = 0; n < kTools; ++n)
         values.tool(ToolField::Offset, n) = static_cast<double>(n);
-    calls.frames.reserve(32);
     // G95 waits for a spindle that the PLC may start; the kernel reports if none turns
     core.wait_for_spindle(true);
     modal.diameter =

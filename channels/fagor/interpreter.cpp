@@ -1,5 +1,6 @@
 #include "channels/fagor/interpreter.hpp"
 
+#include "channels/engine/block_edges.hpp"
 #include "channels/fagor/flow/carry.hpp"
 #include "channels/fagor/flow/interrupts.hpp"
 #include "channels/fagor/flow/resume.hpp"
@@ -17,7 +18,7 @@ Result<void> Interpreter::start(FileId main) {
 
 Step Interpreter::step() { return fagor::step(x_); }
 
-void Interpreter::barrier_done() { fagor::barrier_done(x_); }
+void Interpreter::barrier_done() { (void)engine::pass_barrier(x_.core, x_.run); }
 
 bool Interpreter::preset_variable(std::string_view name, double value) {
     return fagor::preset_variable(x_, name, value);

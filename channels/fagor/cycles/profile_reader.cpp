@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/cycles/cycle_words.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/block_order.hpp"
@@ -96,9 +97,8 @@ bool record_profile(Execution& x, const Execution& caller, FileId file, TextPosi
     CallFrame frame;
     frame.file = file;
     frame.maker = attribute_of(x, file, 'O');
-    x.calls.frames.assign(1, frame);
-    x.calls.source = &x.programs.files.source(file);
-    x.calls.source->seek(from);
+    frame.begin = from;
+    x.calls.start(frame);
     x.core.at = caller.core.at;
     bool after_separator = false;
     const auto refuse = [&](Alarm alarm, std::string detail) {
@@ -115,14 +115,14 @@ bool record_profile(Execution& x, const Execution& caller, FileId file, TextPosi
     has_blank = false;
     for (;;) {
         std::string_view line;
-        if (x.calls.source->next(line) != LineSource::Status::Line) break;
+        if (x.calls.source().next(line) != LineSource::Status::Line) break;
         x.line.take(line);
-        x.core.at.line = x.calls.source->position().line;
+        x.core.at.line = x.calls.source().position().line;
         x.core.at.file = file;
         if (x.core.at.line > last_line) break;
-        const TextPosition behind = x.calls.source->next_position();
-        const bool more = x.calls.source->next(line) == LineSource::Status::Line &&
-                          x.calls.source->position().line <= last_line;
+        const TextPosition behind = x.calls.source().next_position();
+        const bool more = x.calls.source().next(line) == LineSource::Status::Line &&
+                          x.calls.source().position().line <= last_line;
         if (const std::string_view corner = more ? corner_alone(line) : std::string_view{};
             !corner.empty()) {
             x.line.kept.erase(std::min(x.line.kept.find(';'), x.line.kept.size()));
@@ -130,7 +130,7 @@ bool record_profile(Execution& x, const Execution& caller, FileId file, TextPosi
             x.line.kept += corner;
             x.line.text = x.line.kept;
         } else {
-            x.calls.source->seek(behind);
+            x.calls.source().seek(behind);
         }
         x.words.by_letter.fill(nullptr);
         x.line.fault.column = x.line.fault.length = 0;
@@ -240,10 +240,12 @@ bool read_profile(Execution& x, Contour& part, Contour& blank, bool& has_blank) 
     cycles::ContourRecorder recorder(p, q);
     Execution reader(x.core.view(), recorder, x.core.port(), x.programs.files);
     LineSource& source = x.programs.files.source(file);
-    const TextPosition back = source.next_position();
-    const bool good =
-        record_profile(reader, x, file, *from, to->line, start, recorder, part, blank, has_blank);
-    source.seek(back);
+    bool good = false;
+    {
+        const engine::KeepPosition keep(source);
+        good = record_profile(reader, x, file, *from, to->line, start, recorder, part, blank,
+                              has_blank);
+    }
     show_diameter(x);
     if (good) return true;
     if (recorder.error) {

@@ -1,9 +1,9 @@
-// The texts that are being run, the outermost first, and the source of the innermost one. A
-// repeated part (RPT) is a frame too. A resume state keeps a copy of the frames.
+// The frames of engine::CallStack: a repeated part (RPT) is one too. A resume state keeps a copy of
+// them.
 #pragma once
 #include <cstdint>
-#include <vector>
 
+#include "channels/engine/call_stack.hpp"
 #include "channels/program_files.hpp"
 #include "channels/sink.hpp"
 #include "channels/text/line_source.hpp"
@@ -30,12 +30,6 @@ struct CallFrame {
     AxisValues point{};           // interrupt: where the program was left, as programmed
 };
 
-struct CallFrames {
-    std::vector<CallFrame> frames;
-    LineSource* source = nullptr;  // of the innermost frame
-
-    CallFrame& here() { return frames.back(); }
-    const CallFrame& here() const { return frames.back(); }
-};
+using CallFrames = engine::CallStack<CallFrame>;
 
 }  // namespace polyturn::channels::fagor

@@ -20,11 +20,11 @@ bool jump_to(Execution& x, std::int64_t label) {
     while (x.calls.here().kind == CallFrame::Kind::Repeat &&
            (found->line < x.calls.here().begin.line || found->line > x.calls.here().last_line)) {
         const FileId file = x.calls.here().file;
-        x.calls.frames.pop_back();
+        x.calls.drop();
         if (x.calls.here().file != file)
             return x.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
     }
-    x.calls.source->seek(*found);
+    x.calls.source().seek(*found);
     x.run.fresh = false;  // a loop asks the machine anew each time
     x.run.jumped = true;
     return true;
@@ -32,7 +32,7 @@ bool jump_to(Execution& x, std::int64_t label) {
 
 bool push_frame(Execution& x, CallFrame frame) {
     unsigned levels = 0, locals = 0;
-    for (const CallFrame& other : x.calls.frames) {
+    for (const CallFrame& other : x.calls.frames()) {
         levels +=
             other.kind == CallFrame::Kind::Subroutine || other.kind == CallFrame::Kind::Program;
         locals += other.own_level;
@@ -41,11 +41,8 @@ bool push_frame(Execution& x, CallFrame frame) {
         return x.fail(Alarm::CallTooDeep, 0, {}, kCallLevels);
     if (frame.own_level && locals >= kLocalLevels)
         return x.fail(Alarm::FagorLevels, 0, {}, kLocalLevels);
-    if (x.calls.frames.size() > 60) return x.fail(Alarm::CallTooDeep, 0, {}, 60);
-    frame.resume = x.calls.source->next_position();
-    x.calls.source = &x.programs.files.source(frame.file);
-    x.calls.source->seek(frame.begin);
-    x.calls.frames.push_back(frame);
+    if (x.calls.depth() > 60) return x.fail(Alarm::CallTooDeep, 0, {}, 60);
+    x.calls.enter(frame);
     x.run.called = x.run.jumped = true;
     return true;
 }
@@ -86,11 +83,7 @@ bool call_program(Execution& x, std::int64_t number, CallFrame frame) {
 }
 
 void pop_frame(Execution& x) {
-    const CallFrame done = x.calls.here();
-    x.calls.frames.pop_back();
-    if (done.own_level) x.values.pop_level();
-    x.calls.source = &x.programs.files.source(x.calls.here().file);
-    x.calls.source->seek(done.resume);
+    if (x.calls.leave().own_level) x.values.pop_level();
     x.run.jumped = true;
 }
 
@@ -101,7 +94,7 @@ bool return_from_frame(Execution& x) {
     if (frame.interrupt) return return_from_interrupt(x);
     if (frame.runs_left > 0) {  // the same parameters as they are now (12.5)
         --frame.runs_left;
-        x.calls.source->seek(frame.begin);
+        x.calls.again();
         x.run.jumped = true;
         return true;
     }
@@ -119,7 +112,7 @@ bool return_from_frame(Execution& x) {
 }
 
 bool inside_modal_call(const Execution& x) {
-    for (const CallFrame& frame : x.calls.frames)
+    for (const CallFrame& frame : x.calls.frames())
         if (frame.modal) return true;
     return false;
 }

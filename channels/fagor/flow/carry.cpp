@@ -26,8 +26,7 @@ struct Left {
 std::any carry(const Execution& x) {
     return std::make_shared<Left>(Left{
         x.values, x.modal, x.core.path, x.out.ways,
-        x.calls.frames.empty() ? std::string() : x.programs.files.path(x.calls.frames.front().file),
-        x.inclined});
+        x.calls.empty() ? std::string() : x.programs.files.path(x.calls.main().file), x.inclined});
 }
 
 void take_carry(Execution& x, const std::any& before) {
@@ -36,7 +35,7 @@ void take_carry(Execution& x, const std::any& before) {
     const Left& last = **held;
     x.values.take_tables(last.values);
     x.out.ways.take_ways(last.ways);
-    x.facts.first_run = last.program != x.programs.files.path(x.calls.frames.front().file);
+    x.facts.first_run = last.program != x.programs.files.path(x.calls.main().file);
     const Modal& m = last.modal;
     x.modal.written = m.written;
     x.modal.parts = m.parts;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "channels/engine/fault_place.hpp"
 #include "channels/fagor/execution.hpp"
 
 namespace polyturn::channels::fagor {
@@ -15,22 +16,12 @@ Step fault_at(Execution& x, Alarm alarm, std::uint32_t column, std::uint32_t len
                        column ? character_column(x.line.text, column) : 0, length};
     diagnosis.values = {v0, v1};
     diagnosis.detail = std::move(detail);
-    x.core.sink().alarm(diagnosis, x.core.at);
-    x.run.ended = true;
-    return Step::Failed;
+    return engine::report(x.core, x.run, diagnosis, x.core.at);
 }
 
 Step fault(Execution& x, Fault fault) {
-    if (fault.block) {  // another block of the program
-        const BlockContext& at = *fault.block;
-        x.core.sink().alarm({fault.alarm,
-                             {x.programs.files.path(at.file), at.line, fault.column, fault.length},
-                             {fault.value0, fault.value1},
-                             std::move(fault.detail)},
-                            at);
-        x.run.ended = true;
-        return Step::Failed;
-    }
+    if (fault.block)
+        return engine::report_elsewhere(x.core, x.run, x.programs.files, std::move(fault));
     std::uint32_t column = x.line.fault.column, length = x.line.fault.length;
     if (!column && fault.letter >= 'A' && fault.letter <= 'Z') {
         const Word* word = x.words.by_letter[static_cast<std::size_t>(fault.letter - 'A')];

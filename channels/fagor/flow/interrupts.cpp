@@ -2,11 +2,11 @@
 
 #include <utility>
 
+#include "channels/engine/block_edges.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/calls.hpp"
 #include "channels/fagor/flow/programs.hpp"
 #include "channels/fagor/flow/resume.hpp"
-#include "channels/fagor/flow/step.hpp"
 #include "channels/fagor/motion/lengths.hpp"
 
 namespace polyturn::channels::fagor {
@@ -33,7 +33,7 @@ bool enter_interrupt(Execution& x, std::uint64_t serial, bool within, unsigned i
     x.interrupt.before = std::make_shared<ResumeState>();
     x.interrupt.before->path = x.core.path;
     x.interrupt.before->modal = x.modal;
-    take_machine(x);
+    engine::take_machine(x.core);
     if (within) x.core.taps(false);  // of a tap that is broken off nothing else would end it
     x.modal.modal_call = {};
     CallFrame frame;
@@ -44,13 +44,9 @@ bool enter_interrupt(Execution& x, std::uint64_t serial, bool within, unsigned i
     frame.program = x.calls.here().program;
     frame.maker = x.calls.here().maker;
     frame.point = x.core.path.programmed;
-    frame.resume = x.calls.source->next_position();
-    x.calls.source = &x.programs.files.source(file);
-    x.calls.source->seek(begin);
-    x.calls.frames.push_back(frame);
-    x.run.ended = x.run.reread = x.probe.under_way = false;
-    x.run.tool_serial = 0;
-    x.run.fresh = x.run.state_changed = true;
+    x.calls.enter(frame);
+    engine::break_in(x.run);
+    x.probe.under_way = false;
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
 
 namespace polyturn::channels::fagor {
@@ -23,27 +24,13 @@ std::int64_t subroutine_number(std::string_view statement) {
     return digits ? number : -1;
 }
 
-// Position of the first line that is the one (place() of it), from the top of the program; the
-// reader stays where it was.
-template <typename Wanted>
-std::optional<TextPosition> look_for(LineSource& source, Wanted is_the_one,
-                                     TextPosition (LineSource::*place)() const) {
-    const TextPosition back = source.next_position();
-    source.seek({0, 1});
-    std::string_view line;
-    std::optional<TextPosition> found;
-    while (!found && source.next(line) == LineSource::Status::Line)
-        if (is_the_one(line)) found = (source.*place)();
-    source.seek(back);
-    return found;
-}
-
 std::optional<TextPosition> subroutine_in(Execution& x, FileId file, std::int64_t number) {
-    const auto defines = [number](std::string_view line) {
-        return subroutine_number(statement_of(line)) == number;
-    };
+    const auto found =
+        engine::first_line(x.programs.files.source(file), [number](std::string_view line) {
+            return subroutine_number(statement_of(line)) == number;
+        });
     // it begins behind its definition
-    return look_for(x.programs.files.source(file), defines, &LineSource::next_position);
+    return found ? std::optional(found->behind) : std::nullopt;
 }
 
 }  // namespace
@@ -51,17 +38,14 @@ std::optional<TextPosition> subroutine_in(Execution& x, FileId file, std::int64_
 // Letters between the commas of the first line: %NAME,MX,
 bool attribute_of(Execution& x, FileId file, char attribute) {
     LineSource& source = x.programs.files.source(file);
-    const TextPosition back = source.next_position();
+    const engine::KeepPosition keep(source);
     source.seek({0, 1});
     std::string_view line;
-    bool found = false;
-    if (source.next(line) == LineSource::Status::Line && !line.empty() && line[0] == '%') {
-        const std::size_t comma = line.find(',');
-        if (comma != std::string_view::npos)
-            found = line.substr(comma).find(attribute) != std::string_view::npos;
-    }
-    source.seek(back);
-    return found;
+    if (source.next(line) != LineSource::Status::Line || line.empty() || line[0] != '%')
+        return false;
+    const std::size_t comma = line.find(',');
+    return comma != std::string_view::npos &&
+           line.substr(comma).find(attribute) != std::string_view::npos;
 }
 
 // The subroutines that the main program defines; what is wrong with a definition is reported before
@@ -96,11 +80,11 @@ std::optional<TextPosition> find_label(Execution& x, FileId file, std::int64_t l
     const auto known = x.programs.labels.find({file, label});
     if (known != x.programs.labels.end()) return known->second;
     // Of several the first one counts.
-    const auto found = look_for(
-        x.programs.files.source(file),
-        [label](std::string_view line) { return label_of(line) == label; }, &LineSource::position);
-    if (found) x.programs.labels[{file, label}] = *found;
-    return found;
+    const auto found =
+        engine::first_line(x.programs.files.source(file),
+                           [label](std::string_view line) { return label_of(line) == label; });
+    if (!found) return std::nullopt;
+    return x.programs.labels[{file, label}] = found->at;
 }
 
 std::optional<FileId> find_program(Execution& x, std::int64_t number) {

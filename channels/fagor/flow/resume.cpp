@@ -1,5 +1,6 @@
 #include "channels/fagor/flow/resume.hpp"
 
+#include "channels/engine/block_edges.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/motion/lengths.hpp"
 #include "channels/fagor/tools/tool_words.hpp"
@@ -27,9 +28,9 @@ bool is_plain_move(const Execution& x) {
 
 void note_resume_point(Execution& x) {
     x.values.begin_block(x.run.serial);
-    x.points.note(x.core, x.run.serial, x.calls.source->next_position(), 0, x.run.state_changed,
+    x.points.note(x.core, x.run.serial, x.calls.source().next_position(), 0, x.run.state_changed,
                   [&x] {
-                      return ResumeState{{}, x.modal, x.calls.frames, x.values.levels()};
+                      return ResumeState{{}, x.modal, x.calls.frames(), x.values.levels()};
                   });
 }
 
@@ -43,16 +44,11 @@ bool resume_at(Execution& x, std::uint64_t serial) {
     if (!point) return false;
     const ResumeState& state = *point->state;
     x.modal = state.modal;
-    x.calls.frames = state.frames;
     x.values.set_levels(state.levels);
     x.values.undo().back_to(serial);
-    x.calls.source = &x.programs.files.source(x.calls.here().file);
-    x.calls.source->seek(point->position);
-    x.run.serial = serial - 1;
-    x.run.ended = x.run.reread = x.run.jumped = x.run.called = x.probe.under_way = false;
-    x.run.tool_serial = 0;
-    x.run.fresh = true;
-    x.run.state_changed = true;
+    x.calls.restore(state.frames, point->position);
+    engine::go_back(x.run, serial);
+    x.probe.under_way = false;
     show_diameter(x);
     return true;
 }

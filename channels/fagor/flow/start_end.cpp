@@ -1,5 +1,6 @@
 #include "channels/fagor/flow/start_end.hpp"
 
+#include "channels/engine/block_edges.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/interrupts.hpp"
 #include "channels/fagor/flow/programs.hpp"
@@ -70,34 +71,22 @@ void start_program(Execution& x, FileId main) {
     options.idle_blocks = 48;
     x.core.compensation_options(options);
     clear_modal(x);
-    x.calls.frames.clear();
     while (x.values.levels().size() > 1) x.values.pop_level();
     CallFrame frame;
     frame.file = main;
     frame.maker = attribute_of(x, main, 'O');
     frame.program = number_of_file(x.programs.files.path(main));
-    x.calls.frames.push_back(frame);
-    x.calls.source = &x.programs.files.source(main);
-    x.calls.source->seek({0, 1});
-    x.run.ended = x.run.reread = x.probe.under_way = x.interrupt.fill = false;
-    x.run.tool_serial = 0;
+    x.calls.start(frame);
+    engine::begin_run(x.run);
+    x.probe.under_way = x.interrupt.fill = false;
     x.facts.began_ms = x.core.port().running_ms();
-    x.run.fresh = true;  // cycle start is a barrier
-    x.run.serial = 0;
     x.points.clear();
     x.values.undo().clear();
-    x.run.state_changed = true;
     x.core.refresh_limits();
     x.core.load_zeros();
     show_diameter(x);
     index_subroutines(x, main);
     arm_interrupts(x);
-}
-
-void finish(Execution& x, StopReason reason) {
-    x.core.mark_emitted();
-    x.core.sink().stop({reason}, x.core.at);
-    x.run.ended = true;
 }
 
 }  // namespace polyturn::channels::fagor

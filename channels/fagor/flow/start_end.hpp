@@ -1,4 +1,4 @@
-// The beginning and the end of a program: the state it starts with, and its stop.
+// The beginning of a program: the state it starts with.
 #pragma once
 #include "channels/program_files.hpp"
 #include "channels/sink.hpp"
@@ -10,7 +10,5 @@ struct Execution;
 // What the machine parameters say holds at the start of a program (fagor_8037t part 1, 9.1).
 void clear_modal(Execution& x);
 void start_program(Execution& x, FileId main);
-// The program is over, for this reason.
-void finish(Execution& x, StopReason reason);
 
 }  // namespace polyturn::channels::fagor

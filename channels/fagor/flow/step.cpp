@@ -2,13 +2,15 @@
 
 #include <utility>
 
+#include "channels/engine/block_edges.hpp"
+#include "channels/engine/fault_place.hpp"
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/block_order.hpp"
 #include "channels/fagor/flow/calls.hpp"
 #include "channels/fagor/flow/fault.hpp"
 #include "channels/fagor/flow/interrupts.hpp"
 #include "channels/fagor/flow/resume.hpp"
-#include "channels/fagor/flow/start_end.hpp"
 #include "channels/fagor/grammar/words.hpp"
 #include "channels/fagor/motion/dwell.hpp"
 #include "channels/fagor/motion/loop_scan.hpp"
@@ -27,21 +29,16 @@ Step iso_block(Execution& x) {
     const GCode* one_shot = x.words.code(GGroup::OneShot);
     // the axes rest first (architecture 5.8)
     if (one_shot && one_shot->number == 46 && !x.run.fresh && !x.core.reads_ahead()) {
-        x.run.reread = true;
         x.core.sink().barrier(x.core.at);
-        return Step::AtBarrier;
+        return engine::read_again(x.run);
     }
     // what is held for its corner ends first
     if (x.words.has('T') && x.core.reads_ahead() && !x.run.fresh &&
         x.run.tool_serial != x.core.at.serial && !x.ahead.scans_loops && managed(x)) {
-        x.run.reread = true;
         live_value_barrier(x);
-        return Step::AtBarrier;
+        return engine::read_again(x.run);
     }
-    if (asks_for_tool(x)) {
-        x.run.reread = true;
-        return Step::AtBarrier;
-    }
+    if (asks_for_tool(x)) return engine::read_again(x.run);
     // G04 alone leaves a loop that asks the machine where it was
     if (!(one_shot && one_shot->number == 4 && ends_reading(x))) x.core.did();
     if (!(check_words(x) && act_in_order(x))) return fault(x, x.core.fault());
@@ -66,35 +63,28 @@ Step end_of_text(Execution& x) {
     }
     x.core.at.block = -1;
     x.line.text = {};
-    x.core.begin_block();
-    finish(x, StopReason::End);
-    if (x.core.reads_ahead() && !x.core.compensation_failed()) return fault(x, x.core.fault());
-    x.core.end_block();
-    if (x.core.reads_ahead() && x.core.halted()) return Step::AtBarrier;
-    return Step::Ended;
+    const auto step = engine::end_of_program(x.core, x.run);
+    return step ? *step : fault(x, x.core.fault());
 }
 
 // Blank lines may only stand behind the last block (fagor_8037t part 1, 2).
 Step blank_line(Execution& x) {
-    const TextPosition back = x.calls.source->next_position();
+    const engine::KeepPosition keep(x.calls.source());
     std::string_view line;
     bool last = true;
-    while (last && x.calls.source->next(line) == LineSource::Status::Line)
+    while (last && x.calls.source().next(line) == LineSource::Status::Line)
         last = line.find_first_not_of(" \t") == std::string_view::npos;
-    x.calls.source->seek(back);
     return last ? Step::Continue : fault_at(x, Alarm::FagorBlockEmpty, 0, 0);
 }
 
 Step read_block(Execution& x) {
     if (x.programs.definition_fault) {  // reported before anything moves
         x.core.at.line = x.programs.definition_fault->place.line;
-        x.core.sink().alarm(*x.programs.definition_fault, x.core.at);
-        x.run.ended = true;
-        return Step::Failed;
+        return engine::report(x.core, x.run, *x.programs.definition_fault, x.core.at);
     }
     CallFrame& frame = x.calls.here();
     if (frame.kind == CallFrame::Kind::Repeat && !x.run.reread &&
-        x.calls.source->next_position().line > frame.last_line) {
+        x.calls.source().next_position().line > frame.last_line) {
         x.core.begin_block();
         return return_from_frame(x) ? Step::Continue : fault(x, x.core.fault());
     }
@@ -105,7 +95,7 @@ Step read_block(Execution& x) {
         else
             x.values.begin_block(x.run.serial);
         std::string_view line;
-        switch (x.calls.source->next(line)) {
+        switch (x.calls.source().next(line)) {
             case LineSource::Status::Line:
                 break;
             case LineSource::Status::End:
@@ -116,8 +106,8 @@ Step read_block(Execution& x) {
                 return fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
         }
         x.line.take(line);
-        x.core.at.line = x.calls.source->position().line;
-        x.line.at = x.calls.source->position();
+        x.core.at.line = x.calls.source().position().line;
+        x.line.at = x.calls.source().position();
         x.line.is_first = x.line.at.line == 1;
     }
     x.run.reread = false;
@@ -126,7 +116,7 @@ Step read_block(Execution& x) {
     x.core.begin_block();
     BlockContext& at = x.core.at;
     at.file = frame.file;
-    at.stack_depth = static_cast<std::uint8_t>(x.calls.frames.size() - 1);
+    at.stack_depth = static_cast<std::uint8_t>(x.calls.depth() - 1);
     at.block = -1;
     at.cycle = {};
     const BlockKind kind = x.parsers.reader.read(x.line.text, x.line.block);
@@ -157,28 +147,17 @@ Step read_block(Execution& x) {
 }  // namespace
 
 Step step(Execution& x) {
-    if (x.core.reads_ahead()) {
-        if (x.core.halted()) return Step::AtBarrier;
-        if (!x.run.ended && !x.core.compensation_failed()) return fault(x, x.core.fault());
+    switch (engine::gate(x.core, x.run)) {
+        case engine::Gate::Barrier:
+            return Step::AtBarrier;
+        case engine::Gate::Fault:
+            return fault(x, x.core.fault());
+        case engine::Gate::Ended:
+            return Step::Ended;
+        case engine::Gate::Open:
+            break;
     }
-    if (x.run.ended) return Step::Ended;
-    if (x.probe.under_way) return finish_probe(x);
-    return read_block(x);
-}
-
-void barrier_done(Execution& x) {
-    // compensation has read on: the program is ahead of this barrier
-    if (!x.core.barrier_passed()) return;
-    x.run.fresh = true;
-    x.core.refresh_limits();
-    take_machine(x);
-}
-
-void take_machine(Execution& x) {
-    const MachineView& view = x.core.view();
-    for (unsigned i = 0; i < view.axis_count; ++i)
-        if (const auto now = x.core.port().axis_taken_over(view.axes[i].machine_axis))
-            x.core.take_machine(i, *now);
+    return x.probe.under_way ? finish_probe(x) : read_block(x);
 }
 
 void live_value_barrier(Execution& x) { x.core.sink().barrier(x.core.at); }
@@ -189,20 +168,13 @@ Step end_block(Execution& x, bool counts, std::uint64_t ways_before) {
     if (x.core.reads_ahead() &&
         !x.core.end_compensated_block(counts && !x.run.called, x.run.wants_barrier, x.run.ended))
         return fault(x, x.core.fault());
-    if (x.core.emitted()) {
-        x.run.fresh = false;
-        x.core.end_block();
-    }
+    engine::end_block(x.core, x.run);
     if (!x.run.ended && x.core.ways() != ways_before &&
         x.modal.modal_call.kind != ModalCall::Kind::None && !inside_modal_call(x)) {
         if (!run_modal_call(x, x.words.repeats < 0 ? 1 : x.words.repeats))
             return fault(x, x.core.fault());
     }
-    // a barrier ahead may be held back
-    if (x.core.reads_ahead())
-        return x.core.halted() ? Step::AtBarrier : x.run.ended ? Step::Ended : Step::Continue;
-    if (x.run.ended) return Step::Ended;
-    return x.run.wants_barrier ? Step::AtBarrier : Step::Continue;
+    return engine::step_behind(x.core, x.run);
 }
 
 }  // namespace polyturn::channels::fagor

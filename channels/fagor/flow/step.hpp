@@ -9,10 +9,6 @@ namespace polyturn::channels::fagor {
 struct Execution;
 
 Step step(Execution& x);
-// See Language.
-void barrier_done(Execution& x);
-// Axes that were moved by others are taken over where they are.
-void take_machine(Execution& x);
 void live_value_barrier(Execution& x);
 // Behind words and statements. `counts`: it is a block for compensation; `ways_before`:
 // Core::ways() at its beginning, for modal calls.

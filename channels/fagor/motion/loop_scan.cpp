@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "channels/cycles/contour.hpp"
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/step.hpp"
 #include "channels/fagor/frames/plane.hpp"
@@ -36,8 +37,7 @@ std::vector<cycles::Element> record_ahead(Execution& x, const Execution& caller,
     x.core.start_at_machine(x.core.path.machine);
     x.core.path.programmed = caller.core.path.programmed;
     recorder.from({x.core.path.programmed[p], x.core.path.programmed[q]});
-    x.calls.frames = caller.calls.frames;
-    x.calls.source = caller.calls.source;
+    x.calls.share(caller.calls);
     x.run.serial = caller.run.serial;
     for (std::size_t blocks = 0;
          blocks < kMostBlocks && recorder.contour.elements.size() < kMostElements; ++blocks) {
@@ -61,10 +61,11 @@ bool scan_loops(Execution& x) {
     cycles::ContourRecorder recorder(p, q);
     recorder.only_plane = true;  // a block moves its other axes, whether it is left out or not
     Execution reader(x.core.view(), recorder, x.core.port(), x.programs.files);
-    const TextPosition back = x.calls.source->next_position();
-    const std::vector<cycles::Element> elements =
-        record_ahead(reader, x, recorder, p, q, x.loops.scanned_to);
-    x.calls.source->seek(back);
+    std::vector<cycles::Element> elements;
+    {
+        const engine::KeepPosition keep(x.calls.source());
+        elements = record_ahead(reader, x, recorder, p, q, x.loops.scanned_to);
+    }
     show_diameter(x);
     // The contour is read as it is programmed: G72 S makes it larger than that, and the nose
     // smaller beside it.

@@ -116,7 +116,7 @@ Flow skip_definition(Execution& x, const char*& at, const char* end) {
     if (const Flow flow = nothing_follows(x, at, end); flow != Flow::Done) return flow;
     std::string_view line;
     const std::uint32_t here = x.core.at.line;
-    while (x.calls.source->next(line) == LineSource::Status::Line) {
+    while (x.calls.source().next(line) == LineSource::Status::Line) {
         const std::string_view statement = statement_of(line);
         if (!statement.starts_with("RET")) continue;
         x.run.jumped = true;
@@ -153,7 +153,7 @@ Flow exec_statement(Execution& x, const char*& at, const char* end, bool modal) 
 Flow repos_statement(Execution& x, const char*& at, const char* end) {
     const char* const begin = at;
     const CallFrame* interrupt = nullptr;
-    for (const CallFrame& frame : x.calls.frames)
+    for (const CallFrame& frame : x.calls.frames())
         if (frame.interrupt) interrupt = &frame;
     if (!interrupt) return flow_fault(x, Alarm::FagorRepos, begin, 1);
     unsigned p = 0, q = 0;

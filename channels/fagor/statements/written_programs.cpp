@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/statements/statement_text.hpp"
 #include "channels/text/chars.hpp"
@@ -47,11 +48,10 @@ Flow open_statement(Execution& x, const char*& at, const char* end) {
     if (how == 'A' && written) text = *written->text;
     if (how == 'A' && stored) {
         LineSource& source = x.programs.files.source(*stored);
-        const TextPosition back = source.next_position();
+        const engine::KeepPosition keep(source);
         source.seek({0, 1});
         std::string_view line;
         while (source.next(line) == LineSource::Status::Line) text.append(line) += '\n';
-        source.seek(back);
     }
     if (!keep_written(x)) return Flow::Fault;
     if (!written) written = &x.modal.written.emplace_back(WrittenProgram{number, {}, {}});

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "channels/engine/block_edges.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/calls.hpp"
-#include "channels/fagor/flow/start_end.hpp"
 #include "channels/fagor/grammar/words.hpp"
 #include "channels/fagor/statements/written_programs.hpp"
 #include "channels/fagor/tools/managed_tools.hpp"
@@ -52,7 +52,7 @@ bool m_function(Execution& x, const Word& word, bool behind) {
         if (same) return true;  // the speed belongs to this gear already: nothing is done (5.5.2)
     }
     if (entry && entry->subroutine) {
-        for (const CallFrame& frame : x.calls.frames)
+        for (const CallFrame& frame : x.calls.frames())
             // inside its own subroutine the function itself
             if (frame.m_code == code) entry = nullptr;
         if (entry) {
@@ -138,11 +138,11 @@ bool m_end(Execution& x, double code) {
         return true;
     }
     // The end of a program that EXEC or MEXEC runs leads back to the one that called it (12.7).
-    for (std::size_t k = x.calls.frames.size(); k-- > 1;) {
-        if (x.calls.frames[k].interrupt)
+    for (std::size_t k = x.calls.depth(); k-- > 1;) {
+        if (x.calls.frames()[k].interrupt)
             break;  // within an interrupt subroutine it ends everything
-        if (x.calls.frames[k].kind != CallFrame::Kind::Program) continue;
-        while (x.calls.frames.size() > k + 1) pop_frame(x);
+        if (x.calls.frames()[k].kind != CallFrame::Kind::Program) continue;
+        while (x.calls.depth() > k + 1) pop_frame(x);
         return return_from_frame(x);
     }
     // The end of the program stops the spindle and sets the initial state (5.5).
@@ -152,7 +152,7 @@ bool m_end(Execution& x, double code) {
     if (!keep_written(x)) return false;
     x.modal.writing = -1;
     x.core.sink().part(++x.modal.parts, x.core.at);
-    finish(x, code == 2 ? StopReason::M02 : StopReason::M30);
+    engine::finish(x.core, x.run, code == 2 ? StopReason::M02 : StopReason::M30);
     return true;
 }
 

@@ -1,5 +1,6 @@
 #include "channels/fagor/variables/coordinates.hpp"
 
+#include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/flow/programs.hpp"
 #include "channels/fagor/motion/lengths.hpp"
@@ -18,7 +19,7 @@ Access block_position(Execution& x, const Target& target, double& value) {
         return variable_fault(x, Alarm::FagorBlockUnknown,
                               "N" + std::to_string(label) + " P" + std::to_string(program));
     LineSource& source = x.programs.files.source(*file);
-    const TextPosition back = source.next_position();
+    const engine::KeepPosition keep(source);
     source.seek(*at);
     std::string_view line;
     Block block;
@@ -27,7 +28,6 @@ Access block_position(Execution& x, const Target& target, double& value) {
     if (source.next(line) == LineSource::Status::Line && reader.read(line, block) == BlockKind::Iso)
         for (unsigned k = 0; k < block.count; ++k)
             if (block.words[k].letter == target.axis) value = block.words[k].value;
-    source.seek(back);
     return Access::Ok;
 }
 

@@ -52,7 +52,7 @@ Access read_state(Execution& x, const Target& target, double& value) {
     switch (row.var) {
         case Var::CallParameters:
             value = 0;
-            for (auto frame = x.calls.frames.rbegin(); frame != x.calls.frames.rend(); ++frame)
+            for (auto frame = x.calls.frames().rbegin(); frame != x.calls.frames().rend(); ++frame)
                 if (frame->own_level) {
                     value = frame->given;
                     break;
