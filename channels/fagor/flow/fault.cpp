@@ -4,6 +4,7 @@
 
 #include "channels/engine/fault_place.hpp"
 #include "channels/fagor/execution.hpp"
+#include "channels/text/word_scanner.hpp"
 
 namespace polyturn::channels::fagor {
 

@@ -1,8 +1,10 @@
 #include "channels/fagor/flow/step.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "channels/engine/block_edges.hpp"
+#include "channels/engine/block_loop.hpp"
 #include "channels/engine/fault_place.hpp"
 #include "channels/engine/text_search.hpp"
 #include "channels/fagor/execution.hpp"
@@ -77,45 +79,13 @@ Step blank_line(Execution& x) {
     return last ? Step::Continue : fault_at(x, Alarm::FagorBlockEmpty, 0, 0);
 }
 
+// Words or a statement, or neither.
 Step read_block(Execution& x) {
-    if (x.programs.definition_fault) {  // reported before anything moves
-        x.core.at.line = x.programs.definition_fault->place.line;
-        return engine::report(x.core, x.run, *x.programs.definition_fault, x.core.at);
-    }
-    CallFrame& frame = x.calls.here();
-    if (frame.kind == CallFrame::Kind::Repeat && !x.run.reread &&
-        x.calls.source().next_position().line > frame.last_line) {
-        x.core.begin_block();
-        return return_from_frame(x) ? Step::Continue : fault(x, x.core.fault());
-    }
-    if (!x.run.reread) {
-        x.core.at.serial = ++x.run.serial;
-        if (x.run.keeps_states)
-            note_resume_point(x);
-        else
-            x.values.begin_block(x.run.serial);
-        std::string_view line;
-        switch (x.calls.source().next(line)) {
-            case LineSource::Status::Line:
-                break;
-            case LineSource::Status::End:
-                return end_of_text(x);
-            case LineSource::Status::TooLong:
-                return fault_at(x, Alarm::LineTooLong, 0, 0);
-            case LineSource::Status::ReadError:
-                return fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
-        }
-        x.line.take(line);
-        x.core.at.line = x.calls.source().position().line;
-        x.line.at = x.calls.source().position();
-        x.line.is_first = x.line.at.line == 1;
-    }
-    x.run.reread = false;
-    x.line.fault.line = x.line.fault.column = x.line.fault.length = 0;
+    x.line.fault = {};
     x.words.by_letter.fill(nullptr);
     x.core.begin_block();
     BlockContext& at = x.core.at;
-    at.file = frame.file;
+    at.file = x.calls.here().file;
     at.stack_depth = static_cast<std::uint8_t>(x.calls.depth() - 1);
     at.block = -1;
     at.cycle = {};
@@ -131,9 +101,10 @@ Step read_block(Execution& x) {
             if (x.line.is_first) return Step::Continue;
             return fault_at(x, Alarm::CharacterUnknown, 1, 1, "%");
         case BlockKind::NeedsBarrier:
-        case BlockKind::Fault:
-            return fault_at(x, x.parsers.reader.fault().alarm, x.parsers.reader.fault().column,
-                            x.parsers.reader.fault().length, x.parsers.reader.fault().detail);
+        case BlockKind::Fault: {
+            const ReaderFault& wrong = x.parsers.reader.fault();
+            return fault_at(x, wrong.alarm, wrong.column, wrong.length, wrong.detail);
+        }
         case BlockKind::Iso:
             if (x.run.keeps_states && !is_plain_move(x)) x.run.state_changed = true;
             return iso_block(x);
@@ -144,21 +115,56 @@ Step read_block(Execution& x) {
     return statement_block(x);
 }
 
+// The stations of a step (engine/block_loop.hpp).
+struct Stations {
+    using Execution = fagor::Execution;
+
+    static std::optional<Step> goes_on(Execution& x) {
+        return x.probe.under_way ? std::optional(finish_probe(x)) : std::nullopt;
+    }
+    // A definition that is wrong is reported before anything moves; a repeated part ends behind its
+    // last line.
+    static std::optional<Step> before_line(Execution& x) {
+        if (x.programs.definition_fault) {
+            x.core.at.line = x.programs.definition_fault->place.line;
+            return engine::report(x.core, x.run, *x.programs.definition_fault, x.core.at);
+        }
+        const CallFrame& frame = x.calls.here();
+        if (frame.kind != CallFrame::Kind::Repeat ||
+            x.calls.source().next_position().line <= frame.last_line)
+            return std::nullopt;
+        x.core.begin_block();
+        return return_from_frame(x) ? Step::Continue : fault(x, x.core.fault());
+    }
+    static void note_block(Execution& x) {
+        if (x.run.keeps_states)
+            note_resume_point(x);
+        else
+            x.values.begin_block(x.run.serial);
+    }
+    static LineSource::Status next_line(Execution& x) {
+        std::string_view line;
+        const LineSource::Status status = x.calls.source().next(line);
+        if (status != LineSource::Status::Line) return status;
+        x.line.take(line);
+        x.line.at = x.calls.source().position();
+        x.line.is_first = x.line.at.line == 1;
+        x.core.at.line = x.line.at.line;
+        return status;
+    }
+    static Step end_of_text(Execution& x) { return fagor::end_of_text(x); }
+    static Step unreadable(Execution& x, LineSource::Status why) {
+        return why == LineSource::Status::TooLong
+                   ? fault_at(x, Alarm::LineTooLong, 0, 0)
+                   : fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+    }
+    static Step block(Execution& x) { return read_block(x); }
+    static Step fault(Execution& x, Fault why) { return fagor::fault(x, std::move(why)); }
+};
+
 }  // namespace
 
-Step step(Execution& x) {
-    switch (engine::gate(x.core, x.run)) {
-        case engine::Gate::Barrier:
-            return Step::AtBarrier;
-        case engine::Gate::Fault:
-            return fault(x, x.core.fault());
-        case engine::Gate::Ended:
-            return Step::Ended;
-        case engine::Gate::Open:
-            break;
-    }
-    return x.probe.under_way ? finish_probe(x) : read_block(x);
-}
+Step step(Execution& x) { return engine::step<Stations>(x); }
 
 void live_value_barrier(Execution& x) { x.core.sink().barrier(x.core.at); }
 
