@@ -38,56 +38,52 @@ bool wait_code(Execution& x, std::int32_t code) {
     return x.run.wants_barrier = true;
 }
 
-bool m_function(Execution& x, const Word& word, bool behind) {
-    const auto code = static_cast<std::int32_t>(word.value);
-    if (code == x.modal.m_done) return true;
-    const MEntry* entry = m_entry(x, code);
-    if (!entry && wait_code(x, code)) return true;
-    if (code >= 41 && code <= 44) {
-        const double speed = x.core.path.spindle.rpm,
-                     most = x.settings.gear_max[static_cast<std::size_t>(code - 41)];
-        const bool same = x.modal.gear == code - 40 && most > 0 && speed <= most;
-        x.modal.gear = code - 40;
-        if (!limit_surface_speed(x) || !x.core.commit_spindle()) return false;
-        if (same) return true;  // the speed belongs to this gear already: nothing is done (5.5.2)
-    }
-    if (entry && entry->subroutine) {
-        for (const CallFrame& frame : x.calls.frames())
-            // inside its own subroutine the function itself
-            if (frame.m_code == code) entry = nullptr;
-        if (entry) {
-            CallFrame frame;
-            frame.m_code = code;
-            frame.m_itself = !entry->only_subroutine;
-            if (code == 6 && x.settings.change_by_m06 && x.modal.next_tool >= 0 && !managed(x) &&
-                !change_tool(x, x.modal.next_tool, x.modal.next_offset))
-                return false;
-            if (!call_subroutine(x, entry->subroutine, frame, nullptr)) return false;
-            // the rest of the block comes behind the subroutine
-            if (!behind && x.line.block.count > 1) {
-                x.calls.here().resume = x.line.at;
-                x.calls.here().reads_again = true;
-            }
-            return true;
-        }
-    }
-    if (code == 5 && !(x.core.spindle_turn(SpindleTurn::Stop) && x.core.commit_spindle()))
+// M41 to M44. `same`: the speed belongs to this gear already, so nothing is done (5.5.2).
+bool change_gear(Execution& x, std::int32_t code, bool& same) {
+    const double speed = x.core.path.spindle.rpm,
+                 most = x.settings.gear_max[static_cast<std::size_t>(code - 41)];
+    same = x.modal.gear == code - 40 && most > 0 && speed <= most;
+    x.modal.gear = code - 40;
+    return limit_surface_speed(x) && x.core.commit_spindle();
+}
+
+bool inside_subroutine_of(const Execution& x, std::int32_t code) {
+    for (const CallFrame& frame : x.calls.frames())
+        if (frame.m_code == code) return true;
+    return false;
+}
+
+bool call_m_subroutine(Execution& x, const MEntry& entry, bool behind) {
+    CallFrame frame;
+    frame.m_code = entry.code;
+    frame.m_itself = !entry.only_subroutine;
+    if (entry.code == 6 && x.settings.change_by_m06 && x.modal.next_tool >= 0 && !managed(x) &&
+        !change_tool(x, x.modal.next_tool, x.modal.next_offset))
         return false;
-    if (code == 19) {
-        const double angle = x.words.has('S') ? x.words.number('S') : 0.0;
-        // A spindle whose loop is closed already turns from its position, by as many degrees as
-        // the difference says (5.5.1).
-        const bool closed = (x.modal.m_states >> 19 & 1u) != 0;
-        if (!x.core.spindle_unwrapped(
-                angle, closed ? std::optional(angle - x.modal.stands_at) : std::nullopt))
-            return false;
-        x.modal.position_angle = angle;
-        x.modal.stands_at = std::fabs(angle) > 360.0 ? std::fmod(angle, 360.0) : angle;
+    if (!call_subroutine(x, entry.subroutine, frame, nullptr)) return false;
+    // the rest of the block comes behind the subroutine
+    if (!behind && x.line.block.count > 1) {
+        x.calls.here().resume = x.line.at;
+        x.calls.here().reads_again = true;
     }
-    // output already
-    if (code == 6 && x.settings.change_by_m06 && x.run.tool_serial == x.core.at.serial &&
-        x.modal.next_tool >= 0)
-        return take_over_change(x);
+    return true;
+}
+
+// M19. A spindle whose loop is closed already turns from its position, by as many degrees as the
+// difference says (5.5.1).
+bool orient_spindle(Execution& x) {
+    const double angle = x.words.has('S') ? x.words.number('S') : 0.0;
+    const bool closed = (x.modal.m_states >> 19 & 1u) != 0;
+    if (!x.core.spindle_unwrapped(angle,
+                                  closed ? std::optional(angle - x.modal.stands_at) : std::nullopt))
+        return false;
+    x.modal.position_angle = angle;
+    x.modal.stands_at = std::fabs(angle) > 360.0 ? std::fmod(angle, 360.0) : angle;
+    return true;
+}
+
+// The function is output; with TOFFM06 M06 brings the tool that T has named.
+bool output(Execution& x, std::int32_t code, const MEntry* entry) {
     char text[16];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", code);
     // M05 gives the drive back to an axis that shares it: its next move counts from where the drive
@@ -110,8 +106,13 @@ bool m_function(Execution& x, const Word& word, bool behind) {
         if (!change_tool(x, x.modal.next_tool, x.modal.next_offset)) return false;
         x.modal.next_tool = x.modal.next_offset = -1;
     }
-    const auto set = [&x](int n, std::uint64_t clears) {
-        x.modal.m_states = (x.modal.m_states & ~clears) | std::uint64_t{1} << n;
+    return true;
+}
+
+// What MS<n> reads: of spindle, coolant and gears the last one.
+void note_state(Modal& modal, std::int32_t code) {
+    const auto set = [&modal](int n, std::uint64_t clears) {
+        modal.m_states = (modal.m_states & ~clears) | std::uint64_t{1} << n;
     };
     constexpr std::uint64_t kTurning = 1ull << 3 | 1ull << 4 | 1ull << 5 | 1ull << 19,
                             kCoolant = 1ull << 8 | 1ull << 9, kGears = 0xFull << 41;
@@ -123,6 +124,31 @@ bool m_function(Execution& x, const Word& word, bool behind) {
         set(code, kGears);
     else if (code == 6)
         set(code, 0);
+}
+
+bool m_function(Execution& x, const Word& word, bool behind) {
+    const auto code = static_cast<std::int32_t>(word.value);
+    if (code == x.modal.m_done) return true;
+    const MEntry* entry = m_entry(x, code);
+    if (!entry && wait_code(x, code)) return true;
+    if (code >= 41 && code <= 44) {
+        bool same = false;
+        if (!change_gear(x, code, same)) return false;
+        if (same) return true;
+    }
+    if (entry && entry->subroutine) {
+        if (!inside_subroutine_of(x, code)) return call_m_subroutine(x, *entry, behind);
+        entry = nullptr;  // there it is the function itself
+    }
+    if (code == 5 && !(x.core.spindle_turn(SpindleTurn::Stop) && x.core.commit_spindle()))
+        return false;
+    if (code == 19 && !orient_spindle(x)) return false;
+    // output already
+    if (code == 6 && x.settings.change_by_m06 && x.run.tool_serial == x.core.at.serial &&
+        x.modal.next_tool >= 0)
+        return take_over_change(x);
+    if (!output(x, code, entry)) return false;
+    note_state(x.modal, code);
     return true;
 }
 
@@ -139,9 +165,9 @@ bool m_end(Execution& x, double code) {
     }
     // The end of a program that EXEC or MEXEC runs leads back to the one that called it (12.7).
     for (std::size_t k = x.calls.depth(); k-- > 1;) {
-        if (x.calls.frames()[k].interrupt)
-            break;  // within an interrupt subroutine it ends everything
-        if (x.calls.frames()[k].kind != CallFrame::Kind::Program) continue;
+        const CallFrame& frame = x.calls.frames()[k];
+        if (frame.interrupt) break;  // within an interrupt subroutine it ends everything
+        if (frame.kind != CallFrame::Kind::Program) continue;
         while (x.calls.depth() > k + 1) pop_frame(x);
         return return_from_frame(x);
     }

@@ -8,6 +8,28 @@
 #include "channels/fagor/grammar/words.hpp"
 
 namespace polyturn::channels::fagor {
+namespace {
+
+// An expended tool gives way to another one of its family that is not (11.2.2).
+bool take_another_of_family(Execution& x, std::int64_t& tool) {
+    const auto expended = [&x](std::int64_t n) {
+        const double life = x.values.tool(ToolField::Life, static_cast<std::size_t>(n));
+        return life > 0 && x.values.tool(ToolField::Used, static_cast<std::size_t>(n)) >= life;
+    };
+    if (tool <= 0 || !expended(tool)) return true;
+    const double family = x.values.tool(ToolField::Family, static_cast<std::size_t>(tool));
+    for (std::size_t pocket = 1; pocket < kTools; ++pocket) {
+        const auto n = static_cast<std::int64_t>(x.values.tool(ToolField::Pocket, pocket));
+        if (n <= 0 || n == tool || expended(n) ||
+            x.values.tool(ToolField::Family, static_cast<std::size_t>(n)) != family)
+            continue;
+        tool = n;
+        return true;
+    }
+    return x.fail_word(*x.words.word('T'), Alarm::FagorToolExpended, {}, static_cast<double>(tool));
+}
+
+}  // namespace
 
 bool tool_words(Execution& x) {
     if (!x.words.has('T') && !x.words.has('D')) return true;
@@ -31,26 +53,7 @@ bool tool_words(Execution& x) {
             return true;
         }
         if (told) tool = x.core.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
-        // An expended tool gives way to another one of its family that is not (11.2.2).
-        const auto expended = [&x](std::int64_t n) {
-            const double life = x.values.tool(ToolField::Life, static_cast<std::size_t>(n));
-            return life > 0 && x.values.tool(ToolField::Used, static_cast<std::size_t>(n)) >= life;
-        };
-        if (!told && tool > 0 && expended(tool)) {
-            const double family = x.values.tool(ToolField::Family, static_cast<std::size_t>(tool));
-            std::int64_t other = 0;
-            for (std::size_t pocket = 1; pocket < kTools && !other; ++pocket) {
-                const auto n = static_cast<std::int64_t>(x.values.tool(ToolField::Pocket, pocket));
-                if (n > 0 && n != tool &&
-                    x.values.tool(ToolField::Family, static_cast<std::size_t>(n)) == family &&
-                    !expended(n))
-                    other = n;
-            }
-            if (!other)
-                return x.fail_word(*x.words.word('T'), Alarm::FagorToolExpended, {},
-                                   static_cast<double>(tool));
-            tool = other;
-        }
+        if (!told && !take_another_of_family(x, tool)) return false;
         offset = told ? x.core.port().tool_at_work().value_or(Port::ToolAtWork{}).offset
                       : static_cast<std::int64_t>(
                             x.values.tool(ToolField::Offset, static_cast<std::size_t>(tool)));
