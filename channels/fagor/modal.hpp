@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "channels/fagor/grammar/values.hpp"
 #include "channels/fagor/settings.hpp"
+#include "channels/fagor/variables/values.hpp"
 #include "channels/sink.hpp"
 
 namespace polyturn::channels::fagor {
@@ -76,6 +76,8 @@ struct Modal {
     std::vector<WrittenProgram> written;
     std::int64_t writing = -1;   // program that OPEN has opened
     bool maker_program = false;  // the running program has the attribute O
+
+    double unit() const { return inch ? 25.4 : 1.0; }  // mm that a programmed length of 1 is
 };
 
 }  // namespace polyturn::channels::fagor

@@ -7,7 +7,7 @@
 
 namespace polyturn::channels::fagor {
 
-class Interpreter;
+struct Execution;
 
 // The order of the groups is the order in which they act within a block: units before everything
 // that is measured, the plane and the dimensions before points, feed and spindle before motion,
@@ -35,8 +35,9 @@ enum class GGroup : std::uint8_t {
 struct GCode {
     std::uint16_t number;
     GGroup group;
-    bool (Interpreter::*act)(const GCode&);  // nullptr: nothing to do but to hold
-    std::string_view takes;                  // letters of words; 'x': the axes of the channel
+    // nullptr: nothing to do but to hold; false: a fault is noted
+    bool (*act)(Execution&, const GCode&);
+    std::string_view takes;  // letters of words; 'x': the axes of the channel
     // the word that belongs to it when it stands directly behind: R, N; 0 none
     char binds;
     bool alone;  // nothing else in the block
