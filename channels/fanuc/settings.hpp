@@ -151,6 +151,9 @@ struct Settings {
     unsigned locals = 33, common_first = 100, common_last = 199;
 };
 
+// Reads them from the parameters of a channel.
+using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
+
 void common_settings(Settings& settings, const params::Table& table, unsigned channel);
 void fanuc_axes(MachineView& view);
 void fanuc_rollover(MachineView& view);

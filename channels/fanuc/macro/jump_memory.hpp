@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "channels/fanuc/text_place.hpp"
+#include "channels/fanuc/program/text_place.hpp"
 
 namespace polyturn::channels::fanuc {
 

@@ -1,0 +1,177 @@
+#include "channels/fanuc/program/reading.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "channels/fanuc/block.hpp"
+#include "channels/fanuc/execution.hpp"
+#include "channels/fanuc/macro/macro.hpp"
+#include "channels/fanuc/motion/measuring.hpp"
+#include "channels/fanuc/program/barriers.hpp"
+#include "channels/fanuc/program/faults.hpp"
+#include "channels/fanuc/program/remote_data.hpp"
+#include "channels/fanuc/program/resume.hpp"
+
+namespace polyturn::channels::fanuc {
+
+namespace {
+
+Step end_of_text(Execution& x) {
+    x.core.at.line = x.text.source->position().line;
+    x.core.at.block = -1;
+    x.text.line = {};
+    if (x.calls.frames.size() > 1) return report_at(x, Alarm::ProgramNotEnded, 0, 0, "M99");
+    if (x.modal.program.tape_begun) return report_at(x, Alarm::ProgramNotEnded, 0, 0, "%");
+    x.core.begin_block();
+    end_program(x, StopReason::End);
+    if (x.core.reads_ahead() && !x.core.compensation_failed()) return report(x, x.core.fault());
+    x.core.end_block();
+    if (x.core.reads_ahead() && x.core.halted()) return Step::AtBarrier;
+    return Step::Ended;
+}
+
+}  // namespace
+
+void end_program(Execution& x, StopReason reason) {
+    x.core.mark_emitted();
+    x.core.sink().stop({reason}, x.core.at);
+    x.run.ended = true;
+    x.text.ended_by_code = reason != StopReason::End;
+}
+
+Step read_block(Execution& x) {
+    if (!x.run.reread) {
+        x.reading.inputs_fresh = false;
+        x.core.at.serial = ++x.run.serial;
+        if (x.run.keeps_states) note_resume_point(x);
+    }
+    if (x.run.reread) {
+        x.run.reread = false;
+    } else if (!x.text.line_left) {
+        switch (x.text.source->next(x.text.line)) {
+            case LineSource::Status::Line:
+                break;
+            case LineSource::Status::End:
+                return end_of_text(x);
+            case LineSource::Status::TooLong:
+                return report_at(x, Alarm::LineTooLong, 0, 0);
+            case LineSource::Status::ReadError:
+                return report_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+        }
+        x.text.column = 0;
+    }
+    x.text.line_left = false;
+    x.words.culprit.line = x.words.culprit.column = x.words.culprit.length = 0;
+    x.reading.has_pending_fault = false;
+    x.core.begin_block();
+    x.core.rest_of_dwell = std::exchange(x.way_back.interruption.goes_on, false);
+    const CallLevel& frame = x.calls.frames.back();
+    BlockContext& at = x.core.at;
+    at.file = frame.file;
+    at.stack_depth = static_cast<std::uint8_t>(x.calls.frames.size() - 1);
+    at.by_code =
+        x.calls.frames.size() > 1 && std::any_of(x.calls.frames.begin() + 1, x.calls.frames.end(),
+                                                 [](const CallLevel& f) { return f.by_code; });
+    at.line = x.text.source->position().line;
+    at.block = -1;
+    at.statement = false;
+    at.cycle = x.modal.cycles.finishing.active ? x.modal.cycles.finishing.name : std::string_view{};
+    const ScanStop stop = x.scanner.scan(x.text.line, x.text.column, x.block);
+    switch (stop) {
+        case ScanStop::EndOfLine:
+            break;
+        case ScanStop::Skipped:
+            x.text.line_left = x.scanner.stopped_at() < x.text.line.size();
+            break;
+        case ScanStop::EndOfBlock:
+            x.text.line_left = true;
+            break;
+        case ScanStop::TapeMark:
+            if (!x.modal.program.blocks_begun && !x.modal.program.tape_begun &&
+                x.block.count == 0) {
+                x.modal.program.tape_begun = x.run.state_changed =
+                    true;  // the rest of the line is the tape's title
+                return Step::Continue;
+            }
+            if (x.block.count == 0) {
+                x.modal.program.tape_begun = false;
+                if (x.settings.needs_end_code && x.calls.frames.size() == 1)
+                    return report_at(x, Alarm::ProgramEndMissing,
+                                     static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1);
+                return end_of_text(x);
+            }
+            return report_at(x, Alarm::CharacterUnknown,
+                             static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1, "%");
+        case ScanStop::NeedsBarrier:
+            read_value_barrier(x);
+            return Step::AtBarrier;
+        case ScanStop::Fault:
+            if (x.reading.has_pending_fault) return report(x, x.reading.pending_fault);
+            return report_at(x, x.scanner.fault().alarm, x.scanner.fault().column,
+                             x.scanner.fault().length,
+                             x.scanner.fault().letter ? std::string(1, x.scanner.fault().letter)
+                                                      : std::string{});
+        case ScanStop::Macro: {
+            if (x.settings.mefi)
+                return report_at(x, Alarm::NotBuilt,
+                                 static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1,
+                                 "macro statements in mefi");
+            if (x.block.has('N'))
+                at.block = x.modal.last.n = static_cast<std::int64_t>(x.block.value('N'));
+            x.modal.program.blocks_begun = x.run.state_changed = true;
+            return macro_statement(x, x.scanner.stopped_at());
+        }
+    }
+    for (const char letter : {'N', 'O'}) {
+        if (!x.block.has(letter)) continue;
+        const Word& word = x.block.word(letter);
+        if (word.from_expression)  // fanuc_lathe 6.1
+            return report_at(x, Alarm::MacroFormat, word.column, word.length,
+                             std::string(1, letter) + " takes no variable");
+        if (word.value < 0 || word.has_point)  // whole numbers, as GOTO and M98 look for them
+            return report_at(x, word.value < 0 ? Alarm::NegativeSign : Alarm::PointForbidden,
+                             word.column, word.length, std::string(1, letter));
+    }
+    const std::size_t next_column = x.scanner.stopped_at();
+    if (x.block.count == 0 && !x.block.name_length) {
+        x.text.column = next_column;
+        return Step::Continue;
+    }
+    // it waits for the path, and is read again
+    if (x.reading.only_macros && (x.block.letters & ~letter_set("NO"))) {
+        x.reading.only_macros = false;
+        x.run.reread = true;
+        x.text.line_left = false;
+        return Step::AtBarrier;
+    }
+    if (x.block.has('N')) at.block = x.modal.last.n = static_cast<std::int64_t>(x.block.value('N'));
+    if (x.run.keeps_states && !is_plain_move(x)) x.run.state_changed = true;
+    if (x.block.has('O')) {
+        if (x.modal.program.blocks_begun) {  // the next program of the text begins
+            x.modal.program.tape_begun = false;
+            return end_of_text(x);
+        }
+        x.modal.program.number = static_cast<std::int64_t>(x.block.value('O'));
+    }
+    x.modal.program.blocks_begun = true;
+    x.text.behind = next_column;
+    const Step step = nc_block(x);
+    if (!x.run.jumped && !x.run.reread) x.text.column = next_column;
+    return step;
+}
+
+Step step(Execution& x) {
+    if (x.core.reads_ahead()) {
+        if (x.core.halted()) return Step::AtBarrier;
+        if (!x.run.ended && !x.core.compensation_failed()) return report(x, x.core.fault());
+    }
+    if (x.run.ended) return Step::Ended;
+    if (x.reading.barrier_fault)
+        return report(x, *std::exchange(x.reading.barrier_fault, std::nullopt));
+    if (x.awaited.measuring.skipping) return finish_skip(x);
+    if (x.awaited.remote.active) return binary_step(x);
+    if (x.awaited.external.active) return external_step(x);
+    return read_block(x);
+}
+
+}  // namespace polyturn::channels::fanuc
