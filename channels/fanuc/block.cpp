@@ -32,7 +32,6 @@
 #include "channels/mefi/shifts.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 bool macro_call_block(Execution& x) {
@@ -100,14 +99,16 @@ bool motion_acts(Execution& x, const GCode* one_shot) {
     }
     if (x.modal.drilling) return !(x.words.axis_count || x.block.has('R')) || run_drilling(x);
     if (x.words.used) return true;  // G51 X Z P names a point, and nothing moves
-    const bool moves = x.words.axis_count || x.words.has(GGroup::Motion) ||
-                       (angle_word(x) && x.modal.motion->tenths == 10 && !x.settings.mefi) ||
-                       x.block.has('I') || x.block.has('J') || x.block.has('K') || x.block.has('R');
+    const bool moves =
+        x.words.axis_count || x.words.has(GGroup::Motion) ||
+        (angle_word(x) && x.modal.motion->tenths == 10 && x.settings.policy.motion.angle_lines) ||
+        x.block.has('I') || x.block.has('J') || x.block.has('K') || x.block.has('R');
     if (!moves) return true;
     if (!x.modal.motion->act)
         return x.core.fail(Alarm::NotBuilt, 'G', std::string(x.modal.motion->name));
     // F is the speed in the plane of millimetres and degrees
-    x.core.path.feed_path.degree_mm = x.settings.mefi ? 0.0 : x.modal.input.unit;
+    x.core.path.feed_path.degree_mm =
+        x.settings.policy.motion.rotary_feed ? x.modal.input.unit : 0.0;
     return x.modal.motion->act(x, *x.modal.motion);
 }
 
@@ -167,8 +168,8 @@ bool b_axis_first(Execution& x, Course& course, bool& registered) {
     x.b_axis.single_now = false;
     x.b_axis.ways = 0;
     // all words of such a block are the B axis'
-    if (x.block.has('G') && !course.calls && !x.b_axis.registering && !x.settings.nct &&
-        !x.settings.mefi)
+    if (x.block.has('G') && !course.calls && !x.b_axis.registering &&
+        x.settings.policy.program.b_axis)
         for (std::size_t k = 0; k < x.block.count; ++k)
             if (const Word& word = x.block.words[k];
                 word.axis < 0 && word.address == 'G' && word.value == 110) {

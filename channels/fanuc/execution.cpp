@@ -14,7 +14,7 @@ Vocabulary::Vocabulary(const MachineView& view, const Settings& settings) : tabl
             absolute_axis[static_cast<std::size_t>(name[0] - 'A')] = static_cast<std::int8_t>(i);
     static constexpr char kIncrements[][2] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}, {'H', 'C'}};
     for (const auto& [increment, axis] : kIncrements) {
-        if (settings.mefi) break;
+        if (!settings.policy.words.increment_letters) break;
         const std::int8_t place = absolute_axis[static_cast<std::size_t>(axis - 'A')];
         if (place >= 0 &&
             std::ranges::find(settings.aux_letters, increment) == settings.aux_letters.end() &&
@@ -33,8 +33,8 @@ Vocabulary::Vocabulary(const MachineView& view, const Settings& settings) : tabl
 
 Macro::Macro(VariableHost& host, ChannelStore& store, const Settings& settings)
     : variables(host, store, settings.common_first, settings.common_last),
-      expression(variables, settings.angle_positive, !settings.nct && !settings.mefi) {
-    if (!settings.nct && !settings.mefi) expression.names_from(names);
+      expression(variables, settings.angle_positive, settings.policy.macro.short_constants) {
+    if (settings.policy.macro.variable_names) expression.names_from(names);
     system.parts_wanted = settings.parts_wanted;
     variables.share(settings.shared_100, settings.shared_500);
 }
@@ -49,8 +49,8 @@ Execution::Execution(MachineView& view, Sink& sink, Port& port, ProgramFiles& pr
       hooks(*this),
       scanner(hooks),
       macro(hooks, *view.store, settings) {
-    hooks.names_in_brackets = !settings.nct && !settings.mefi;
-    hooks.takes_program_names = !settings.mefi;
+    hooks.names_in_brackets = settings.policy.macro.variable_names;
+    hooks.takes_program_names = settings.policy.macro.program_names;
     hooks.has_long_names = !settings.spindle_names.empty();
     for (unsigned i = 0; i < view.axis_count; ++i)
         hooks.has_long_names |= view.axes[i].name.size() > 1;

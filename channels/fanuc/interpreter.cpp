@@ -51,7 +51,7 @@ bool Interpreter::offsets_changed() {
     return true;
 }
 
-bool Interpreter::starts_away() const { return x_.settings.nct; }
+bool Interpreter::starts_away() const { return x_.settings.policy.program.starts_away; }
 
 // nct N1337 #5: only incremental words move along with what was done by hand; every other path is
 // the programmed one.
@@ -76,7 +76,8 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
 }
 
 bool Interpreter::loses_offset(bool by_reset) const {
-    return !x_.settings.mefi && !x_.settings.keeps_offset && (by_reset || x_.text.ended_by_code);
+    return x_.settings.policy.program.offset_ends && !x_.settings.keeps_offset &&
+           (by_reset || x_.text.ended_by_code);
 }
 
 }  // namespace polyturn::channels::fanuc

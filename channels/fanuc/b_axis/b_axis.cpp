@@ -28,7 +28,6 @@
 #include "channels/fanuc/program/faults.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr std::size_t kMostBlocks = 65'535;

@@ -10,7 +10,6 @@
 #include "channels/fanuc/program/search.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr int kMostContourBlocks = 20'000;
@@ -152,7 +151,7 @@ bool read_contour(Execution& x, cycles::Contour& contour, ContourText& text) {
 // itself unless SKP says otherwise (N1611#1).
 void after_contour(Execution& x, const ContourText& text) {
     const bool skips =
-        x.settings.nct
+        x.settings.policy.cycles.goes_on_with_contour
             ? text.directly && params::bit(x.core.view().table(), params::n1611_turning_cyc_config,
                                            x.core.view().channel, 1)
             : text.first.offset >= x.text.source->next_position().offset;

@@ -22,7 +22,7 @@ bool turning_cycles_available(Execution& x, const GCode& row) {
 void keep_length(Execution& x, std::optional<double>& kept, char letter) {
     if (x.block.has(letter))
         kept = radius_length_of(x, letter);
-    else if (x.settings.nct)
+    else if (x.settings.policy.cycles.first_block_once)
         kept.reset();
 }
 

@@ -7,7 +7,6 @@
 #include "channels/fanuc/motion/targets.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // End point and taper are modal for the three cycles together: a further block names only what
@@ -20,7 +19,8 @@ bool cycle_words(Execution& x, cycles::SimpleCycle& cycle, char taper_letter) {
     AxisSet named = 0;
     for (unsigned k = 0; k < x.words.axis_count; ++k)
         if (!axis_word(x, x.block.words[x.words.axes[k]], cycle.end, named)) return false;
-    if (x.block.has(taper_letter) && !x.settings.series15 && !x.settings.nct)
+    if (x.block.has(taper_letter) && !x.settings.series15 &&
+        !x.settings.policy.cycles.taper_by_centre)
         return x.core.fail(Alarm::AddressIllegal, taper_letter, std::string(1, taper_letter));
     if (x.block.has('R'))
         x.modal.cycles.simple.taper = radius_length_of(x, 'R');
@@ -58,9 +58,10 @@ bool g_cycle_thread(Execution& x, const GCode& row) {
                         : x.core.path.feed_mode == FeedMode::PerRevolution ? x.core.path.feed
                                                                            : 0.0;
     if (x.block.has('Q') && !x.settings.series15)
-        cycle.thread.start_angle = x.block.word('Q').has_point || x.settings.nct
-                                       ? x.block.value('Q')
-                                       : x.block.value('Q') * 0.001;
+        cycle.thread.start_angle =
+            x.block.word('Q').has_point || x.settings.policy.words.whole_start_angle
+                ? x.block.value('Q')
+                : x.block.value('Q') * 0.001;
     const params::Table& table = x.core.view().table();
     const unsigned l = x.core.view().channel;
     cycle.chamfer = static_cast<double>(params::get(table, params::n1606_thrdchmfr, l)) * 0.1 *

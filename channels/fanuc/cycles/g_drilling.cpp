@@ -11,7 +11,6 @@
 #include "channels/fanuc/spindles/spindle_codes.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // F5102#3 F16 switches the series 15 drilling cycles off; L gives the repeats all the same
@@ -24,11 +23,11 @@ bool series15_drills(const Settings& settings, MachineView& view) {
 // drill along X.
 int drilling_axis(Execution& x) {
     const MachineView& view = x.core.view();
-    if (!x.settings.nct && !series15_drills(x.settings, x.core.view())) {
+    if (!x.settings.policy.drilling.along_plane && !series15_drills(x.settings, x.core.view())) {
         const bool along_x = x.modal.drilling->tenths >= 870;
         return view.axis_by_role(along_x ? PlaneRole::BasicX : PlaneRole::BasicZ);
     }
-    if (!x.settings.nct && !x.settings.drill_axis_by_plane)
+    if (!x.settings.policy.drilling.along_plane && !x.settings.drill_axis_by_plane)
         return view.axis_by_role(PlaneRole::BasicZ);
     switch (x.core.path.plane) {
         case Plane::XY:
@@ -38,7 +37,7 @@ int drilling_axis(Execution& x) {
         case Plane::ZX:
             break;
     }
-    if (!x.settings.nct) return -1;
+    if (!x.settings.policy.drilling.along_plane) return -1;
     // A lathe is in G18 from power-on: where nothing can drill along Y, the face is meant, as
     // on other lathes.
     const int y = view.axis_by_role(PlaneRole::BasicY);
@@ -48,15 +47,17 @@ int drilling_axis(Execution& x) {
 
 // N1502, or I in the block: percent of the feed of the retract.
 void bore_out(Execution& x, cycles::Drilling& hole) {
-    hole.travel_out_factor = x.settings.nct && x.block.has('I') && x.block.value('I') > 0
-                                 ? x.block.value('I') / 100.0
-                                 : x.settings.bore_out_factor;
+    hole.travel_out_factor =
+        x.settings.policy.drilling.retract_word && x.block.has('I') && x.block.value('I') > 0
+            ? x.block.value('I') / 100.0
+            : x.settings.bore_out_factor;
 }
 
 // G87 of a milling channel needs the orientation of the spindle (nct part 1 8.2, ORI): it bores
 // from behind. A lathe drills its side.
 bool bores_back(Execution& x, const GCode& row) {
-    return x.settings.nct && row.tenths == 870 && x.core.view().config().kind == ChannelKind::Mill;
+    return x.settings.policy.drilling.bores_back && row.tenths == 870 &&
+           x.core.view().config().kind == ChannelKind::Mill;
 }
 
 // nct G86.1 (G76 of a milling channel) and G87: I, J, K lead the tool from the wall, in the plane
@@ -120,9 +121,9 @@ bool begin_rigid_tap(Execution& x, cycles::Drilling& hole) {
 // repeats are L in nct and in series 15 and K elsewhere, E and the percentage I are nct's.
 bool drilling_words(Execution& x, const GCode& row) {
     const bool beside = row.tenths == 861 || bores_back(x, row);  // I, J, K lead from the wall
-    const std::string_view foreign = x.settings.nct        ? (beside ? "" : "JK")
-                                     : x.settings.series15 ? "KEIJ"
-                                                           : "LEIJ";
+    const std::string_view foreign = x.settings.policy.drilling.own_words ? (beside ? "" : "JK")
+                                     : x.settings.series15                ? "KEIJ"
+                                                                          : "LEIJ";
     for (const char letter : foreign)
         if (x.block.has(letter) && !(letter == 'L' && x.words.m_count))
             return x.core.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
@@ -140,7 +141,7 @@ bool g_drilling(Execution& x, const GCode& row) {
     const bool series15_only =
         row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
     const bool native_only = row.tenths == 870 || row.tenths == 880;
-    if (!x.settings.nct &&
+    if (!x.settings.policy.drilling.every_cycle &&
         (series15_drills(x.settings, x.core.view()) ? native_only : series15_only))
         return x.core.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
     // G80 has ended all data of the cycle before: the bottom, too, is said anew
@@ -166,8 +167,9 @@ bool run_drilling(Execution& x) {
         const double r = length_of(x, x.block.word('R'), x.settings.r_in_diameter ? place : -1) *
                          (x.settings.r_in_diameter ? scale : 1.0);
         const bool absolute =
-            x.settings.nct || x.settings.system != kA
-                ? x.modal.input.absolute && (x.settings.nct || x.settings.r_absolute)
+            x.settings.policy.drilling.r_by_distance || x.settings.system != kA
+                ? x.modal.input.absolute &&
+                      (x.settings.policy.drilling.r_by_distance || x.settings.r_absolute)
                 : x.settings.r_absolute;
         x.modal.cycles.drill.r_level = absolute ? r : x.modal.cycles.drill.initial + r;
         x.modal.cycles.drill.r_set = true;
@@ -210,7 +212,7 @@ bool run_drilling(Execution& x) {
         return x.core.fail(Alarm::CycleWordMissing, 'G',
                            std::string(x.core.view().axes[axis].name));
     std::int64_t repeats = 1;
-    const char count = x.settings.nct || x.settings.series15 ? 'L' : 'K';
+    const char count = x.settings.policy.drilling.repeats_by_l || x.settings.series15 ? 'L' : 'K';
     if (x.block.has(count) && !whole_number(x, count, repeats)) return false;
 
     cycles::Drilling hole;
@@ -241,16 +243,16 @@ bool run_drilling(Execution& x) {
         case 831:
             hole.peck = x.modal.cycles.drill.q;
             hole.dwells = dwell_word;
-            hole.chip_break = row.tenths == 831 ||
-                              (!x.settings.nct && !series15_drills(x.settings, x.core.view()) &&
-                               !x.settings.peck_full);
+            hole.chip_break = row.tenths == 831 || (!x.settings.policy.drilling.pecks_by_code &&
+                                                    !series15_drills(x.settings, x.core.view()) &&
+                                                    !x.settings.peck_full);
             hole.clearance = x.modal.cycles.drill.e_set ? x.modal.cycles.drill.e
                              : hole.chip_break          ? x.settings.chip_break_return
                                                         : x.settings.peck_clearance;
             break;
         case 842:
         case 843:
-            if (x.settings.nct && !begin_rigid_tap(x, hole)) return false;
+            if (x.settings.policy.drilling.rigid_by_code && !begin_rigid_tap(x, hole)) return false;
             [[fallthrough]];
         case 840:
         case 841:
@@ -282,9 +284,10 @@ bool run_drilling(Execution& x) {
         default:
             return x.core.fail(Alarm::NotBuilt, 'G', std::string(row.name));
     }
-    if (!x.settings.nct && rigid_form(x, row) && !lead_spindle(x, hole)) return false;
+    if (!x.settings.policy.drilling.rigid_by_code && rigid_form(x, row) && !lead_spindle(x, hole))
+        return false;
     hole.dwell = x.modal.cycles.drill.p;
-    hole.dwells_at_r = !x.settings.nct;
+    hole.dwells_at_r = x.settings.policy.drilling.dwells_at_r;
     hole.dwell_revolutions =
         x.settings.dwell_by_feed_mode && x.core.path.feed_mode == FeedMode::PerRevolution;
     const AxisValues step = target;

@@ -73,14 +73,14 @@ bool g_thread_passes(Execution& x, const GCode& row) {
             data.thread_passes = static_cast<double>(fields / 10'000);
             data.thread_chamfer = static_cast<double>(fields / 100 % 100);
             data.tool_angle = static_cast<double>(fields % 100);
-        } else if (x.settings.nct) {
+        } else if (x.settings.policy.cycles.first_block_once) {
             data.thread_passes.reset();
             data.thread_chamfer.reset();
             data.tool_angle.reset();
         }
         if (x.block.has('Q'))
             data.least_infeed = fine_length_of(x, 'Q');
-        else if (x.settings.nct)
+        else if (x.settings.policy.cycles.first_block_once)
             data.least_infeed.reset();
         keep_length(x, data.thread_allowance, 'R');
         return true;

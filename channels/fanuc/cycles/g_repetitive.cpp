@@ -48,8 +48,8 @@ bool g_stock_removal(Execution& x, const GCode& row) {
         params::get(table, params::n1613_tolerance_along_roughing_axis, l) * unit;
     cycle.cutting_tolerance =
         params::get(table, params::n1614_tolerance_along_cutting_axis, l) * unit;
-    cycle.first_pocket_first =
-        !x.settings.nct || params::bit(table, params::n1611_turning_cyc_config, l, 2);
+    cycle.first_pocket_first = !x.settings.policy.cycles.first_pocket_by_n1611 ||
+                               params::bit(table, params::n1611_turning_cyc_config, l, 2);
     // parts of an arc: its radius at the start counts
     cycle.arc_tolerance = 2 * x.settings.arc_tolerance + 0.001;
     cycles::Contour contour;
@@ -73,10 +73,11 @@ bool g_pattern(Execution& x, const GCode& row) {
             // Fanuc counts divisions in whole numbers or, on older controls, in thousandths with a
             // point.
             const Word& word = x.block.word('R');
-            if (word.value < 1 && !(word.value > 0 && word.has_point && !x.settings.nct))
+            if (word.value < 1 && !(word.value > 0 && word.has_point &&
+                                    x.settings.policy.cycles.divisions_with_point))
                 return x.core.fail(Alarm::CycleValueIllegal, 'R', "R", word.value);
             x.modal.cycles.data.divisions = word.value < 1 ? word.value * 1000.0 : word.value;
-        } else if (x.settings.nct) {
+        } else if (x.settings.policy.cycles.first_block_once) {
             x.modal.cycles.data.divisions.reset();
         }
         return true;
@@ -105,7 +106,9 @@ bool g_pattern(Execution& x, const GCode& row) {
     cycle.passes = static_cast<int>(std::lround(passes));
     // Fanuc: the last pass has no relief left; nct divides by the number itself and leaves the same
     // (nct part 2 17.3).
-    cycle.divisor = x.settings.nct || cycle.passes == 1 ? cycle.passes : cycle.passes - 1;
+    cycle.divisor = x.settings.policy.cycles.divides_by_passes || cycle.passes == 1
+                        ? cycle.passes
+                        : cycle.passes - 1;
     cycle.allowance = {shift_word(x, 'W', PlaneRole::BasicZ),
                        shift_word(x, 'U', PlaneRole::BasicX)};
     cycle.arc_tolerance = 2 * x.settings.arc_tolerance + 0.001;

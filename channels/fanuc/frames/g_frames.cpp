@@ -13,7 +13,6 @@
 #include "channels/fanuc/tools/tool_words.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
@@ -66,7 +65,8 @@ bool g_scale(Execution& x, const GCode& row) {
         Point3 factors{1, 1, 1};
         const auto factor = [&x](char letter) {
             const Word& word = x.block.word(letter);
-            return word.has_point || x.settings.nct ? word.value : word.value * 0.001;
+            return word.has_point || x.settings.policy.words.whole_factors ? word.value
+                                                                           : word.value * 0.001;
         };
         if (x.block.has('P')) factors = {factor('P'), factor('P'), factor('P')};
         static constexpr char kEach[] = {'I', 'J', 'K'};
@@ -134,7 +134,8 @@ bool g_rotation(Execution& x, const GCode& row) {
         x.words.used = true;
         if (!x.block.has('R')) return x.core.fail(Alarm::CycleWordMissing, 'G', "R");
         const Word& word = x.block.word('R');
-        const double degrees = word.has_point || word.from_expression || x.settings.nct ||
+        const double degrees = word.has_point || word.from_expression ||
+                                       x.settings.policy.words.whole_rotation ||
                                        x.settings.point_means_nothing
                                    ? word.value
                                    : word.value * 0.001;

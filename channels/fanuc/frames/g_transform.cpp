@@ -12,7 +12,6 @@
 #include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 bool is_cylinder(const Transformation& t) {
@@ -89,7 +88,7 @@ bool g_polar_plane(Execution& x, const GCode& row) {
         x.core.view().axes[static_cast<std::size_t>(x_place)].rotary)
         return x.core.fail(Alarm::TransformAxis, 'G', x_place < 0 ? "X" : "C");
     // the linear axis is not in it
-    if (x.settings.nct && x.core.path.plane == Plane::YZ)
+    if (x.settings.policy.motion.polar_not_in_yz && x.core.path.plane == Plane::YZ)
         return x.core.fail(Alarm::TransformPlace, 'G', "G19");
     const MachineView& view = x.core.view();
     for (const int place : {x_place, c})

@@ -17,7 +17,6 @@
 #include "ipc/kinematics/five_axis.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 namespace f = five_axis;

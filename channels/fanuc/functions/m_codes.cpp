@@ -19,7 +19,6 @@
 #include "channels/fanuc/spindles/spindle_codes.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 bool in_ranges(const std::vector<std::pair<double, double>>& ranges, double code) {
@@ -57,7 +56,7 @@ bool function_code(Execution& x, const Word& word, bool late) {
     const bool drains = is_draining(x, code) || (code == 5 && x.core.frees_axis());
     char text[24];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", static_cast<std::int64_t>(code));
-    const bool b_axis = !x.settings.nct && !x.settings.mefi;
+    const bool b_axis = x.settings.policy.program.b_axis;
     // with the code, not behind it
     const bool at_once =
         b_axis && params::bit(x.core.view().table(), params::f8240, x.core.view().channel, 7);
@@ -89,7 +88,7 @@ bool sub_call(Execution& x, bool external) {
     std::int64_t number = 0, repeats = 1;
     if (!program_word(x, 'M', number)) return false;
     if (external && number < 0) return x.core.fail(Alarm::SubprogramWordMissing, 'M');
-    if (!x.settings.nct && number >= 0) {
+    if (x.settings.policy.program.counts_before_number && number >= 0) {
         if (x.settings.series15) {
             number %= 10000;
         } else if (number > 9999) {  // the count precedes the four digits of the number

@@ -4,7 +4,6 @@
 #include "channels/fanuc/spindles/g_couplings.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr std::uint32_t kAlways = letter_set("NOFSTMG");

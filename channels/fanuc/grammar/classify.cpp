@@ -7,7 +7,6 @@
 #include "channels/mefi/shifts.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 std::string g_name(double value) {
@@ -23,7 +22,7 @@ std::string known_elsewhere(const Settings& settings, double tenths) {
     std::uint8_t systems = 0;
     for (const GCode& row : g_codes())
         if (row.tenths == tenths) systems |= row.systems;
-    if (settings.nct || settings.mefi || !(systems & kFanuc)) return {};
+    if (!settings.policy.words.systems_by_bits || !(systems & kFanuc)) return {};
     std::string where;
     if ((systems & kA) && settings.system != kA) where += "A: F3401#6 = 0, #7 = 0";
     if ((systems & kB) && settings.system != kB)
@@ -49,7 +48,8 @@ std::uint32_t drilling_name(const Execution& x, std::uint32_t tenths) {
     if (x.settings.milling_drills && (tenths == 1830 || tenths == 1840 || tenths == 1860))
         return kNoCode;
     // G183 is G83.1 (nct part 2 17.4)
-    if (x.settings.nct && (tenths == 1830 || tenths == 1840 || tenths == 1860))
+    if (x.settings.policy.words.g183_is_g83_1 &&
+        (tenths == 1830 || tenths == 1840 || tenths == 1860))
         return (tenths - 1000) + 1;
     if (!x.settings.milling_drills) return tenths;
     // CSM = 0: these cycles have the numbers below, and no others (nct part 1 16.2)
@@ -76,11 +76,13 @@ bool classify(Execution& x) {
         }
         const char letter = word.address;
         if (letter >= 'a') {
-            if (letter == 'a' && x.words.comma_angle < 0 && !x.block.has('A') && !x.settings.mefi) {
+            if (letter == 'a' && x.words.comma_angle < 0 && !x.block.has('A') &&
+                x.settings.policy.words.comma_words) {
                 x.words.comma_angle = static_cast<int>(i);
                 continue;
             }
-            if (x.words.comma_count == x.words.commas.size() || x.settings.mefi) {
+            if (x.words.comma_count == x.words.commas.size() ||
+                !x.settings.policy.words.comma_words) {
                 blame(x, word);
                 return x.core.fail(Alarm::AddressIllegal, 0,
                                    std::string(",") + static_cast<char>(letter - 32));
@@ -126,7 +128,7 @@ bool classify(Execution& x) {
                 x.words.axes[kept++] = x.words.axes[k];
         x.words.axis_count = kept;
     }
-    return !x.settings.mefi || says_it_once(x);
+    return !x.settings.policy.words.once || says_it_once(x);
 }
 
 const GCode* g_row(const Execution& x, unsigned k) {

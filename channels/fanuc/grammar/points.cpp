@@ -11,7 +11,6 @@
 #include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // A length of the text has a decimal point. Comments, and words that are no lengths (G12.1, P1.12,

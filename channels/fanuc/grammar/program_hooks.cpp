@@ -31,7 +31,7 @@ double rounding_step(const Execution& x, char address) {
 // The scanner's question: a value behind an address.
 ScanHook::Read ProgramHooks::read_value(const char*& at, const char* end, double& value) {
     Execution& x = *x_;
-    if (x.settings.mefi) {
+    if (!x.settings.policy.macro.expressions) {
         x.reading.pending_fault = {Alarm::NotBuilt,       0,           0.0, 0.0,
                                    "expressions in mefi", std::nullopt};
         x.reading.has_pending_fault = true;
@@ -42,13 +42,15 @@ ScanHook::Read ProgramHooks::read_value(const char*& at, const char* end, double
     // The word that is being read follows the last one counted.
     const char address =
         x.block.count < Block::kMaxWords ? x.block.words[x.block.count].address : '\0';
-    x.macro.expression.round_to(x.settings.nct ? 1.0 : rounding_step(x, address));
+    x.macro.expression.round_to(
+        !x.settings.policy.words.rounds_to_increment ? 1.0 : rounding_step(x, address));
     const Expression::Status status = x.macro.expression.operand(at, end, value);
     x.macro.expression.round_to(1.0);
     switch (status) {
         case Expression::Status::Ok:
             // whole codes (fanuc_lathe 6.1)
-            if (!x.settings.nct && (address == 'G' || address == 'M' || address == 'T'))
+            if (x.settings.policy.words.rounds_codes &&
+                (address == 'G' || address == 'M' || address == 'T'))
                 value = std::round(value);
             return is_null(value) ? Read::Null : Read::Value;
         case Expression::Status::NeedsBarrier:

@@ -62,8 +62,9 @@ double seconds_of(const Execution& x, const Word& word) {
         // thousandths
         return word.has_point && !word.from_expression ? word.value : word.value * 0.001;
     }
-    return word.has_point || x.settings.point_means_nothing || x.settings.nct ? word.value
-                                                                              : word.value * 0.001;
+    return word.has_point || x.settings.point_means_nothing || x.settings.policy.words.whole_dwell
+               ? word.value
+               : word.value * 0.001;
 }
 
 }  // namespace polyturn::channels::fanuc

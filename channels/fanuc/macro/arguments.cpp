@@ -7,7 +7,6 @@
 #include "channels/fanuc/program/faults.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Argument specification I: letter -> variable; 0: cannot pass an argument.

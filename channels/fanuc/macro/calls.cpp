@@ -15,7 +15,7 @@
 namespace polyturn::channels::fanuc {
 
 bool g_macro_call(Execution& x, const GCode&) {
-    if (x.block.has('H') && !x.settings.nct) {
+    if (x.block.has('H') && x.settings.policy.macro.pattern_data) {
         std::int64_t kind = 0;
         if (!x.block.word('H').has_point && x.block.value('H') >= 90 && x.block.value('H') <= 94)
             return whole_number(x, 'H', kind) && g_pattern_data(x, kind);
@@ -138,7 +138,7 @@ bool code_calls(Execution& x, bool& called) {
             called = x.run.called = true;
             // Every other word of the block is an argument (nct part 2 18.2, 18.3); behind a G code
             // of fanuc as behind G65 (6.9.4).
-            if (word.address == 'M' || x.settings.nct) {
+            if (word.address == 'M' || x.settings.policy.macro.arguments_anywhere) {
                 const Word code = word;
                 x.block.words[k].address = 'N';
                 const bool good = gather_arguments(x, arguments, 0);
@@ -169,7 +169,7 @@ bool code_calls(Execution& x, bool& called) {
             for (const CodeCall& call : x.settings.m_calls)
                 if (call.code == static_cast<std::int32_t>(word.value)) {
                     // must be the first word
-                    if (call.macro && !x.settings.nct &&
+                    if (call.macro && x.settings.policy.macro.codes_lead_calls &&
                         k > (x.block.words[0].address == 'N' ? 1u : 0u))
                         continue;
                     return use(call, call.program);

@@ -16,7 +16,6 @@
 #include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Word of output statements and names that `letters` is, or is the beginning of.
@@ -76,7 +75,8 @@ Flow assignment_statement(Execution& x, const char*& at, const char* end) {
     x.words.culprit.column = static_cast<std::uint32_t>(begin - x.text.line.data()) + 1;
     x.words.culprit.length = static_cast<std::uint32_t>(at - begin);
     // the call writes them (nct_parameters_part2 38)
-    const bool of_letter_call = x.settings.nct && number >= 191 && number <= 199;
+    const bool of_letter_call =
+        x.settings.policy.macro.letters_keep_theirs && number >= 191 && number <= 199;
     if (of_letter_call) {
         x.core.fail(Alarm::VariableReadOnly, 0, variable_name(number));
         return Flow::Fault;
@@ -192,7 +192,7 @@ Flow run_statement(Execution& x, const char*& at, const char* end) {
     std::string letters;
     for (const char* p = at; p != end && is_letter(*p); ++p) letters += capital(*p);
     const std::string_view name = statement_name(letters);
-    if (name.empty() || (name == "SETVN" && (x.settings.nct || x.settings.mefi)))
+    if (name.empty() || (name == "SETVN" && !x.settings.policy.macro.variable_names))
         return flow_fault(x, Alarm::WordUnknown, at, letters);
     if (name == "SETVN") return name_statement(x, at += letters.size(), end);
     return print_statement(x, name, at, end);

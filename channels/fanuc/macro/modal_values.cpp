@@ -4,7 +4,6 @@
 #include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // #4001..#4022: the groups as the control counts them (fanuc_lathe 6.3.5, nct part 1 14.2); Count:
@@ -62,7 +61,8 @@ constexpr GGroup kModalGroupsNct[] = {GGroup::Motion,
 // #4001 to #4130: what the blocks before have left in force. False: there is no such group.
 bool modal_variable(Execution& x, std::int64_t number, double& value) {
     if (number >= 4001 && number <= 4022) {
-        const GGroup group = (x.settings.nct ? kModalGroupsNct : kModalGroups)[number - 4001];
+        const GGroup group =
+            (x.settings.policy.macro.groups_of_nct ? kModalGroupsNct : kModalGroups)[number - 4001];
         const GCode* row = group == kNone            ? nullptr
                            : group == GGroup::Motion ? x.modal.motion
                                                      : x.modal.in_force(group);

@@ -16,7 +16,6 @@
 #include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 bool is_sent(char c) {

@@ -7,7 +7,6 @@
 #include "channels/fanuc/macro/offset_variables.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 double offset_value(const OffsetCell& cell, const OffsetRange& range) {

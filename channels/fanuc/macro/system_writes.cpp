@@ -9,7 +9,6 @@
 #include "channels/fanuc/tools/offset_tables.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 VariableStatus value_fault(Execution& x, std::int64_t number, double value) {
@@ -44,7 +43,7 @@ VariableStatus write_system(Execution& x, std::int64_t number, double value) {
         return VariableStatus::Ok;
     }
     const double plain = is_null(value) ? 0.0 : value;
-    if (number >= 1100 && number <= (x.settings.nct ? 1131 : 1115)) {
+    if (number >= 1100 && number <= x.settings.policy.macro.last_output) {
         const std::uint32_t bit = 1u << (number - 1100);
         x.macro.system.outputs =
             plain != 0.0 ? x.macro.system.outputs | bit : x.macro.system.outputs & ~bit;
@@ -58,7 +57,7 @@ VariableStatus write_system(Execution& x, std::int64_t number, double value) {
         x.core.signal("CN_UOUT", x.macro.system.outputs);
         return VariableStatus::Ok;
     }
-    if (number >= 1133 && number <= (x.settings.nct ? 1135 : 1133)) {
+    if (number >= 1133 && number <= x.settings.policy.macro.last_wide_output) {
         if (std::fabs(plain) > 99999999) return value_fault(x, number, plain);
         x.macro.system.outputs_wide = plain;
         x.core.signal("CN_UOUTW", std::nearbyint(plain));

@@ -12,7 +12,7 @@ bool write_variable(Execution& x, std::int64_t number, double value, std::string
     if (number == 3000) {  // an alarm of the program's own
         x.macro.message = comment;
         if (x.macro.message.empty()) x.macro.message = "alarm of the program";
-        if (!is_null(value) && (value < 0 || value > 200) && !x.settings.nct)
+        if (!is_null(value) && (value < 0 || value > 200) && x.settings.policy.macro.alarms_to_200)
             return x.core.fail(Alarm::VariableValue, 0, "#3000", value);
         return x.core.program_alarm(x.macro.message,
                                     3000 + (is_null(value) ? 0 : std::nearbyint(value)));

@@ -11,7 +11,7 @@ bool g_comp_on(Execution& x, const GCode& row) {
     if (x.reading.contour) return true;
     if (!x.core.compensating()) x.corners.comp_moves = x.core.moves();
     // The block right behind the one that begins must go on on its side (fanuc_lathe 3.9).
-    else if (!x.settings.nct && x.core.holds_block() &&
+    else if (x.settings.policy.motion.side_at_begin && x.core.holds_block() &&
              x.core.moves() == x.corners.comp_moves + 1 && row.tenths != x.corners.comp_code)
         return x.core.fail(Alarm::CompSideAtBegin, 'G');
     x.corners.comp_code = row.tenths;

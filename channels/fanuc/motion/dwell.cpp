@@ -12,7 +12,8 @@ bool g_dwell(Execution& x, const GCode&) {
         if (x.block.has(candidate)) letter = candidate;
     if (!letter) return x.core.fail(Alarm::CycleWordMissing, 'G', "P");
     const Word& word = x.block.word(letter);
-    if (letter == 'P' && word.has_point && !word.from_expression && !x.settings.nct)
+    if (letter == 'P' && word.has_point && !word.from_expression &&
+        !x.settings.policy.words.dwell_with_point)
         return x.core.fail(Alarm::PointForbidden, 'P', "P");
     if (word.value < 0) return x.core.fail(Alarm::NegativeSign, letter, std::string(1, letter));
     const bool revolutions =

@@ -6,7 +6,6 @@
 #include "channels/fanuc/motion/feed_words.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Series 15 only (fanuc_lathe 8.1). A value of 0 is reported by the code that needs a feed.

@@ -16,7 +16,6 @@
 #include "channels/fanuc/program/faults.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // fanuc_lathe 3.16: not where compensation begins, ends or changes its side.
@@ -51,7 +50,7 @@ void note_corner(Execution& x, double size, bool rounding, char letter) {
 // With compensation both lines at a chamfer or corner R run along an axis, to a degree (fanuc_lathe
 // 3.16).
 bool is_at_right_angles(Execution& x, const CornerBefore& before, const AxisValues& target) {
-    if (x.settings.nct || x.settings.mefi) return true;
+    if (!x.settings.policy.motion.corners_at_right_angles) return true;
     static const double kDegree = std::tan(std::numbers::pi / 180.0) + 1e-9;
     int p = -1, q = -1;
     x.core.plane_axes(p, q);
@@ -145,7 +144,7 @@ bool lathe_corner(Execution& x, AxisSet named) {
             letter = candidate;
         }
     if (!letter) return true;
-    if (x.settings.nct || x.settings.mefi)
+    if (!x.settings.policy.motion.lathe_corners)
         return x.core.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
     const MachineView& view = x.core.view();
     const int z_place = view.axis_by_role(PlaneRole::BasicZ),

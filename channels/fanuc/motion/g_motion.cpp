@@ -19,7 +19,8 @@ bool g_rapid(Execution& x, const GCode&) {
 
 bool g_linear(Execution& x, const GCode&) {
     const bool angle = angle_word(x) != nullptr;
-    if (angle && x.settings.mefi) return x.core.fail(Alarm::AddressIllegal, 'A', "A");
+    if (angle && !x.settings.policy.motion.angle_lines)
+        return x.core.fail(Alarm::AddressIllegal, 'A', "A");
     if (!x.words.axis_count && !angle) {
         // I and K beside G40 only say how the contour would go on (fanuc_lathe 2.7).
         const bool leaves =
@@ -67,15 +68,16 @@ bool arc_words(Execution& x, ArcCall& call, bool& goes) {
     if (x.block.has('R')) {
         call.has_radius = true;
         call.radius = radius_length_of(x, 'R');
-        return call.radius <= 0 && !x.settings.nct ? x.core.fail(Alarm::ArcRadiusIllegal, 'R')
-                                                   : true;
+        return call.radius <= 0 && !x.settings.policy.motion.arc_radius_of_any_sign
+                   ? x.core.fail(Alarm::ArcRadiusIllegal, 'R')
+                   : true;
     }
     if (!centre_words) return x.core.fail(Alarm::ArcWithoutRadius, 'G');
     // An end beside the arc is no alarm under compensation: the circle about the same centre
     // through it counts there (fanuc_lathe 3.8). A contour of a cycle has no compensation yet.
     const bool compensated = x.core.compensating() && x.core.at.comp != CompSide::Off &&
                              !x.core.path.tool.nose_off && !x.reading.contour;
-    if (compensated && !x.settings.nct && !x.settings.mefi)
+    if (compensated && x.settings.policy.motion.loose_arcs)
         call.tolerance = std::numeric_limits<double>::infinity();
     // by plane: first, second axis
     static constexpr char kCentre[3][2] = {{'I', 'J'}, {'K', 'I'}, {'J', 'K'}};
@@ -117,10 +119,10 @@ bool g_reference(Execution& x, const GCode& row) {
     if (!read_axis_words(x, x.words.target, &named)) return false;
     std::size_t position = 0;
     if (row.tenths == 300) {
-        std::int64_t p = x.settings.nct ? 1 : 2;
+        std::int64_t p = x.settings.policy.motion.g30_counts_further ? 1 : 2;
         if (x.block.has('P') && !whole_number(x, 'P', p)) return false;
         // Fanuc counts the second to fourth reference position, nct the three further ones.
-        const std::int64_t index = x.settings.nct ? p : p - 1;
+        const std::int64_t index = x.settings.policy.motion.g30_counts_further ? p : p - 1;
         if (index < 1 || index > 3)
             return x.core.fail(Alarm::OffsetValueIllegal, 'P', {}, static_cast<double>(p));
         position = static_cast<std::size_t>(index);

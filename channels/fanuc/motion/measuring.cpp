@@ -17,7 +17,6 @@
 #include "channels/fanuc/tools/offset_tables.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
@@ -40,7 +39,7 @@ bool g_skip(Execution& x, const GCode&) {
     std::int64_t which = 1, percent = 0;
     if (x.block.has('P') && !whole_number(x, 'P', which)) return false;
     double torque = 0.0;
-    if (x.settings.nct && x.block.has('Q')) {
+    if (x.settings.policy.measuring.torque_by_q && x.block.has('Q')) {
         if (!whole_number(x, 'Q', percent)) return false;
         if (percent != 98)
             return x.core.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(percent));
@@ -55,7 +54,7 @@ bool g_skip(Execution& x, const GCode&) {
         }
         which = 98;
     } else if (which == 98 || which == 99) {
-        if (x.settings.nct)
+        if (x.settings.policy.measuring.torque_by_q)
             return x.core.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
         if (!x.block.has('Q')) return x.core.fail(Alarm::CycleWordMissing, 'G', "Q");
         if (!whole_number(x, 'Q', percent)) return false;
@@ -96,9 +95,9 @@ std::string_view dwell_signal(Execution& x) {
 
 bool g_measure(Execution& x, const GCode& row) {
     const bool decimal = row.tenths == 371 || row.tenths == 372;
-    if (!x.settings.nct && decimal != x.settings.measure_by_decimal)
+    if (x.settings.policy.measuring.decimal_codes && decimal != x.settings.measure_by_decimal)
         return x.core.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
-    if (x.settings.nct && decimal)
+    if (!x.settings.policy.measuring.decimal_codes && decimal)
         return x.core.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
     if (x.block.has('T')) return x.core.fail(Alarm::MeasureWithTool, 'T');
     if (x.words.axis_count != 1)
@@ -110,21 +109,22 @@ bool g_measure(Execution& x, const GCode& row) {
     if (!read_axis_words(x, x.words.target, &named)) return false;
     const auto place = static_cast<unsigned>(__builtin_ctz(named));
     const PlaneRole role = x.core.view().axes[place].role;
-    const bool fits =
-        along_z ? role == PlaneRole::BasicZ
-                : role == PlaneRole::BasicX || (x.settings.nct && role == PlaneRole::BasicY);
+    const bool fits = along_z ? role == PlaneRole::BasicZ
+                              : role == PlaneRole::BasicX || (x.settings.policy.measuring.along_y &&
+                                                              role == PlaneRole::BasicY);
     if (!fits)
         return x.core.fail(Alarm::AddressIllegal, x.core.view().axes[place].name[0],
                            std::string(x.core.view().axes[place].name));
     if (measured_offset(x) == 0) return x.core.fail(Alarm::MeasureNoOffset, 'G');
-    if (x.settings.nct && x.settings.measure_input == 0)
+    if (x.settings.policy.measuring.input_by_number && x.settings.measure_input == 0)
         return x.core.fail(Alarm::MeasureInputNone, 'G');
 
     const std::size_t k = role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
     const double target = x.words.target[place], now = x.core.path.programmed[place];
     const double towards = target < now ? -1.0 : 1.0;
     // nct: a mill measures along Z with distances of its own (N3004, N3005).
-    const bool mill = x.settings.nct && x.core.view().config().kind == ChannelKind::Mill;
+    const bool mill = x.settings.policy.measuring.distances_of_mills &&
+                      x.core.view().config().kind == ChannelKind::Mill;
     const double unit =
         params::bit(x.core.view().table(), params::n0104_unit_of_measure, x.core.view().channel, 0)
             ? 25.4
@@ -147,7 +147,8 @@ bool g_measure(Execution& x, const GCode& row) {
     point = x.core.path.programmed;
     point[place] = target + towards * range;
     const std::string number = std::to_string(x.settings.measure_input);
-    const std::string_view input = x.settings.nct              ? std::string_view(number)
+    const std::string_view input = x.settings.policy.measuring.input_by_number
+                                       ? std::string_view(number)
                                    : role == PlaneRole::BasicX ? "XAE"
                                                                : "ZAE";
     if (!x.core.skip(point, x.settings.measure_feed, FeedMode::PerMinute, input)) return false;
@@ -180,7 +181,7 @@ Step finish_skip(Execution& x) {
     // Fanuc: where the offset is that of the nose's centre, the nose touches one radius ahead of it
     // (fanuc_lathe 5.2). The way went from before the target towards it.
     const ToolState& tool = x.core.path.tool;
-    const bool centre = !x.settings.nct && (tool.tip == 0 || tool.tip == 9);
+    const bool centre = x.settings.policy.measuring.nose_centre && (tool.tip == 0 || tool.tip == 9);
     const double ahead =
         centre ? std::copysign(tool.nose_radius,
                                static_cast<double>(x.core.path.last_travel[done.place]))

@@ -63,7 +63,7 @@ bool g_diameter(Execution& x, const GCode&) {
     for (unsigned k = 0; k < x.words.axis_count; ++k) {
         const Word& word = x.block.words[x.words.axes[k]];
         const int place = axis_of(x, word).place;
-        if (x.settings.nct &&
+        if (x.settings.policy.motion.diameter_by_axis &&
             !params::bit(x.core.view().table(), params::n0106_axis_properties,
                          x.core.view().axes[static_cast<std::size_t>(place)].machine_axis + 1u,
                          5)) {

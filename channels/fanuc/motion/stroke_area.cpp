@@ -7,7 +7,6 @@
 #include "channels/fanuc/tools/parameter_input.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // G22 X Y Z I J K: the corners of stroke range 2 in machine coordinates, the greater ones and the

@@ -6,7 +6,6 @@
 #include "channels/fanuc/motion/targets.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Lead (F, E) and start angle (Q) of a thread.
@@ -26,7 +25,9 @@ void thread_words(Execution& x, ThreadCall& call) {
     const Word& word = x.block.word('Q');
     // Fanuc counts thousandths of a degree and knows no point here; series 15 programs accept Q
     // without effect.
-    call.start_angle = word.has_point || x.settings.nct ? word.value : word.value * 0.001;
+    call.start_angle = word.has_point || x.settings.policy.words.whole_start_angle
+                           ? word.value
+                           : word.value * 0.001;
     if (x.settings.series15) call.start_angle = 0.0;
 }
 
@@ -62,7 +63,7 @@ bool g_thread_variable(Execution& x, const GCode&) {
                                                                    : 0.0;
     call.lead_change = x.block.has('K') ? x.block.value('K') * x.modal.input.unit : 0.0;
     if (x.block.has('Q'))
-        call.start_angle = x.block.word('Q').has_point || x.settings.nct
+        call.start_angle = x.block.word('Q').has_point || x.settings.policy.words.whole_start_angle
                                ? x.block.value('Q')
                                : x.block.value('Q') * 0.001;
     return x.core.thread(x.words.target, call);

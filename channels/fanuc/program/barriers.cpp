@@ -46,7 +46,7 @@ void barrier_passed(Execution& x) {
 void read_value_barrier(Execution& x) {
     x.run.reread = true;
     x.text.line_left = false;
-    if (!x.core.holds_block() || x.reading.inputs_fresh || x.settings.nct || x.settings.mefi)
+    if (!x.core.holds_block() || x.reading.inputs_fresh || !x.settings.policy.macro.inputs_ahead)
         return live_value_barrier(x);
     x.core.at.statement = true;
     x.core.barrier_before_held();

@@ -25,7 +25,9 @@ bool call_levels_left(Execution& x, bool macro, bool modal, char letter) {
     for (std::size_t i = 1; i < x.calls.frames.size(); ++i)
         if (!x.calls.frames[i].interrupt) ++(x.calls.frames[i].macro ? macros : subs);
     if (macro && macros >= x.settings.macro_levels)
-        return x.core.fail(modal || x.settings.nct ? Alarm::MacroTooDeep : Alarm::CallTooDeep,
+        return x.core.fail(modal || x.settings.policy.macro.alarm_of_macro_depth
+                               ? Alarm::MacroTooDeep
+                               : Alarm::CallTooDeep,
                            letter, {}, x.settings.macro_levels);
     if (!macro && subs >= x.settings.sub_levels)
         return x.core.fail(Alarm::CallTooDeep, letter, {}, x.settings.sub_levels);

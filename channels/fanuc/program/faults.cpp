@@ -7,7 +7,6 @@
 #include "channels/fanuc/program/fault_place.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Where what went wrong names no letter: the centre or radius of an arc that does not fit;

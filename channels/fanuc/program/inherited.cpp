@@ -168,12 +168,13 @@ void inherit(Execution& x, const std::any& before, bool after_reset) {
     x.macro.system.timer_h_offset = last.timer_h;
     if (!after_reset || x.settings.keeps_common) x.macro.variables.take_common(last.common);
     if (!after_reset || x.settings.keeps_locals) x.macro.variables.locals() = last.locals;
-    if (x.settings.keeps_offset || (!x.settings.mefi && !after_reset && !last.by_code)) {
+    if (x.settings.keeps_offset ||
+        (x.settings.policy.program.offset_outlasts_end && !after_reset && !last.by_code)) {
         x.core.path.tool = last.path.tool;
         x.core.at.tool = x.core.path.tool.ref;
         if (apply_tool_offsets(x)) x.core.take_wanted();  // the machine is stopped with it already
     }
-    if (x.settings.nct &&
+    if (x.settings.policy.program.keeps_groups &&
         params::bit(x.core.view().table(), params::n1301_defaultg2, x.core.view().channel, 7))
         keep_groups(x, last);
 }

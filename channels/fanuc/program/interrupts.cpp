@@ -22,14 +22,13 @@
 #include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 void arm_interrupts(Execution& x, bool on) {
     x.core.mark_emitted();
-    x.core.sink().interrupts(
-        {on, x.settings.interrupt.at_block_end, x.settings.interrupt.by_level, x.settings.nct},
-        x.core.at);
+    x.core.sink().interrupts({on, x.settings.interrupt.at_block_end, x.settings.interrupt.by_level,
+                              x.settings.policy.program.interrupted_by_mint},
+                             x.core.at);
 }
 
 // Are there blocks of words in it? Calls count: what they do cannot be seen from here.
@@ -173,7 +172,8 @@ bool interrupt_program(Execution& x, std::uint64_t serial, bool within) {
 bool interrupt_ahead(Execution& x, std::uint64_t serial) {
     // a loop that waits for something waits at the end of the block
     constexpr int kMostStatements = 10'000;
-    if (x.settings.nct || x.core.reads_ahead() || !x.way_back.points.may_go_back(x.core, serial))
+    if (!x.settings.policy.program.interrupts_ahead || x.core.reads_ahead() ||
+        !x.way_back.points.may_go_back(x.core, serial))
         return false;
     x.reading.only_macros = true;
     if (!interrupt_program(x, serial, false)) return x.reading.only_macros = false;

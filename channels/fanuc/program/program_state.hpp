@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "channels/fanuc/macro/jump_memory.hpp"
+#include "channels/fanuc/program/jump_memory.hpp"
 #include "channels/fanuc/macro/variables.hpp"
 #include "channels/fanuc/modal_state.hpp"
 #include "channels/fanuc/program/block_index.hpp"

@@ -112,7 +112,7 @@ Step read_block(Execution& x) {
                              x.scanner.fault().letter ? std::string(1, x.scanner.fault().letter)
                                                       : std::string{});
         case ScanStop::Macro: {
-            if (x.settings.mefi)
+            if (!x.settings.policy.macro.statements)
                 return report_at(x, Alarm::NotBuilt,
                                  static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1,
                                  "macro statements in mefi");

@@ -20,7 +20,6 @@
 #include "channels/fanuc/program/faults.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr int kBlocksPerStep = 128, kTimeoutMs = 20, kConnectMs = 300;

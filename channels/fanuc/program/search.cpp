@@ -3,7 +3,6 @@
 #include "channels/fanuc/execution.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // Block number `number` of the running program: forward from here, then from its beginning.

@@ -96,9 +96,10 @@ void start_program(Execution& x, FileId main) {
     x.machine.polygon_on = x.machine.balance_on = false;  // a reset has ended them
     x.macro.dialogue = {};
     x.core.refresh_limits();
-    if (x.settings.mefi) x.core.path.zero_row = x.settings.priority_zero_row;
+    if (x.settings.policy.program.starts_with_zero)
+        x.core.path.zero_row = x.settings.priority_zero_row;
     x.core.load_zeros();
-    if (!x.settings.nct && !x.settings.mefi && !x.reading.contour) recall_kept(x);
+    if (x.settings.policy.program.recalls && !x.reading.contour) recall_kept(x);
 }
 
 }  // namespace polyturn::channels::fanuc

@@ -8,7 +8,6 @@
 #include "channels/fanuc/execution.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 namespace p = params;
@@ -36,14 +35,14 @@ bool gear_block(const Execution& x) {
 
 bool turns_polygon(const Execution& x, unsigned place) {
     const MachineView& view = x.core.view();
-    return x.machine.polygon_on && !x.settings.nct &&
+    return x.machine.polygon_on && x.settings.policy.spindles.polygon_holds_axis &&
            p::get(view.table(), p::f7610, view.channel) == static_cast<std::int64_t>(place) + 1;
 }
 
 // fanuc_lathe 10.1: G50.2 has a block of its own; alarm 219 of the control says the same of
 // G51.2.
 bool polygon_alone(Execution& x) {
-    if (x.settings.nct || !x.words.has(GGroup::OneShot)) return true;
+    if (!x.settings.policy.spindles.polygon_alone || !x.words.has(GGroup::OneShot)) return true;
     const GCode* row = x.words.row(GGroup::OneShot);
     if (!row->is(Trait::Polygon)) return true;
     return x.words.g_count == 1 && !x.words.axis_count && !x.words.m_count && !x.block.has('S') &&

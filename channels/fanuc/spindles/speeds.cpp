@@ -7,7 +7,6 @@
 #include "channels/fanuc/grammar/word_values.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // P means another G code of the block (G70 P Q, G4 P, a drilling cycle that drills here): it is not
@@ -26,7 +25,8 @@ bool surface_shares_p(const Execution& x) {
 bool spindle_word(Execution& x) {
     Word word = x.block.word('S');
     // a whole number, as M (fanuc_lathe 6.1)
-    if (word.from_expression && !x.settings.nct) word.value = whole_steps(word.value, 1.0);
+    if (word.from_expression && x.settings.policy.words.rounds_codes)
+        word.value = whole_steps(word.value, 1.0);
     const bool one_shot = x.words.has(GGroup::OneShot);
     if (one_shot && x.words.row(GGroup::OneShot)->is(Trait::Preset)) {
         return x.core.spindle_limit(word.value) && x.core.commit_spindle();
@@ -67,7 +67,9 @@ bool g_surface(Execution& x, const GCode& row) {
     if (own && !whole_number(x, 'P', number)) return false;
     int place = -1;
     for (unsigned i = 0; number != 0 && i < x.core.view().axis_count; ++i)
-        if ((x.settings.nct ? x.core.view().axes[i].machine_axis : i) + 1u ==
+        if ((x.settings.policy.spindles.surface_axis_of_machine ? x.core.view().axes[i].machine_axis
+                                                                : i) +
+                1u ==
             static_cast<std::uint64_t>(number))
             place = static_cast<int>(i);
     if (number != 0 && (place < 0 || x.core.view().axes[static_cast<std::size_t>(place)].rotary))
@@ -80,17 +82,17 @@ bool g_surface(Execution& x, const GCode& row) {
 // the parameter's.
 bool g_spindle_watch(Execution& x, const GCode& code) {
     if (code.tenths == 250) return x.core.spindle_watch(false);
-    if (const char foreign = x.settings.nct ? 'I' : 'D'; x.block.has(foreign))
+    if (const char foreign = x.settings.policy.spindles.foreign_limit; x.block.has(foreign))
         return x.core.fail(Alarm::AddressIllegal, foreign, std::string(1, foreign));
     std::array<double, 4> values;
-    const char letters[] = {'P', 'Q', 'R', x.settings.nct ? 'D' : 'I'};
+    const char letters[] = {'P', 'Q', 'R', x.settings.policy.spindles.watch_limit};
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = x.block.has(letters[i]) ? x.block.value(letters[i])
                                             : std::numeric_limits<double>::quiet_NaN();
         if (values[i] < 0)
             return x.core.fail(Alarm::NegativeSign, letters[i], std::string(1, letters[i]));
     }
-    if (!x.settings.nct) values[0] *= 1e-3;
+    if (!x.settings.policy.spindles.watch_seconds) values[0] *= 1e-3;
     return x.core.spindle_watch(true, values);
 }
 

@@ -9,7 +9,6 @@
 #include "channels/state/zero_rows.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 // G10 P_ X_ Z_ R_ Q_ (U_ W_ C_): P0 work shift, P1.. wear, P10001.. geometry. With L10 geometry and
@@ -77,7 +76,8 @@ bool g10_offset(Execution& x) {
     if (p == 0 && !x.block.has('L')) return true;
     const auto n = static_cast<std::int32_t>(number);
     for (const char letter : {'R', 'C'}) {
-        if (!x.block.has(letter) || (letter == 'C' && x.settings.nct)) continue;
+        if (!x.block.has(letter) || (letter == 'C' && !x.settings.policy.tools.radius_by_c))
+            continue;
         const double value =
             radius_length_of(x, letter) + (letter == 'C' ? cell(OffsetField::R) : 0.0);
         if (!offset_value_good(x, table, value))
@@ -158,7 +158,8 @@ bool g_data(Execution& x, const GCode&) {
         }
         if (kind == 3) return begin_life_groups(x);
         if (kind == 2 || kind == 20 || kind == 21) return g10_zero(x);
-        const bool milling = x.settings.nct && x.core.view().config().kind == ChannelKind::Mill;
+        const bool milling = x.settings.policy.tools.offsets_of_mills &&
+                             x.core.view().config().kind == ChannelKind::Mill;
         if (milling && kind >= 10 && kind <= 13 && !x.words.axis_count)
             return g10_milling_offset(x, kind);
         if (kind == 10 || kind == 11) return g10_offset(x);

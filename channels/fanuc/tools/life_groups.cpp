@@ -17,7 +17,6 @@
 #include "channels/fanuc/grammar/word_values.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr std::int64_t kMostGroups = 9'999;  // as many as tool management knows
@@ -32,7 +31,7 @@ void tell_life_group(Execution& x, const LifeGroup& group) {
 }  // namespace
 
 bool begin_life_groups(Execution& x) {
-    if (x.settings.nct || x.settings.mefi) return x.core.fail(Alarm::NotBuilt, 'L', "G10 L3");
+    if (!x.settings.policy.program.life_groups) return x.core.fail(Alarm::NotBuilt, 'L', "G10 L3");
     std::int64_t how = 0;
     if (x.block.has('P') && !whole_number(x, 'P', how)) return false;
     if (how > 2) return x.core.fail(Alarm::ValueOutOfRange, 'P', "P");

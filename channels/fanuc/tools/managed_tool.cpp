@@ -19,7 +19,6 @@
 #include "channels/fanuc/grammar/word_values.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 std::int64_t modulus_of(unsigned digits) {

@@ -7,7 +7,6 @@
 #include "ipc/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr const char* kFieldNames[] = {"X", "Y", "Z", "R", "T"};
@@ -57,7 +56,7 @@ void write_zero(Execution& x, std::int32_t row, unsigned place, double value) {
     write.row = row;
     write.place = static_cast<std::int32_t>(place);
     write.value = value;
-    write.until_power_off = x.settings.mefi;
+    write.until_power_off = x.settings.policy.tools.zeros_until_power_off;
     x.core.mark_emitted();
     x.core.sink().offset(write, x.core.at);
     x.core.load_zeros();
@@ -68,7 +67,7 @@ bool offset_value_good(Execution& x, OffsetTable table, double shown) {
     const params::Table& t = x.core.view().table();
     const unsigned l = x.core.view().channel;
     double limit = 9999.9999;
-    if (!x.settings.nct) {
+    if (x.settings.policy.tools.offsets_by_digits) {
         limit = x.modal.input.inch ? 99.9999 * 25.4 : 999.999;
         if (x.core.view().axes[0].increment < 0.0005)
             limit = x.modal.input.inch ? 99.99999 * 25.4 : 999.9999;

@@ -9,10 +9,7 @@
 #include "ipc/params/param_file.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
-
-constexpr std::int64_t kLastFanucCell = 11'023;  // fanuc_lathe 7
 
 // N10000 and on: a point of the compensation tables, which the program itself does not need. Whole
 // numbers of a fanuc program count increments of the channel's first axis.
@@ -31,8 +28,8 @@ void reload_settings(Execution& x) {
     x.core.shows = {x.settings.shows_tool_vector, x.settings.shows_nose};
     // F6004#0 may have changed
     x.macro.expression = Expression(x.macro.variables, x.settings.angle_positive,
-                                    !x.settings.nct && !x.settings.mefi);
-    if (!x.settings.nct && !x.settings.mefi) x.macro.expression.names_from(x.macro.names);
+                                    x.settings.policy.macro.short_constants);
+    if (x.settings.policy.macro.variable_names) x.macro.expression.names_from(x.macro.names);
 }
 
 }  // namespace
@@ -44,16 +41,17 @@ bool g10_parameter_block(Execution& x) {
         return x.core.fail(Alarm::TextInParameterInput, 'G');
     if (!x.block.has('N') || !x.block.has('R'))
         return x.core.fail(Alarm::ParameterInputIllegal, 'N', "N and R are needed");
-    if (const Word& r = x.block.word('R'); r.has_point && !r.from_expression && !x.settings.nct)
+    if (const Word& r = x.block.word('R');
+        r.has_point && !r.from_expression && !x.settings.policy.tools.parameter_with_point)
         return x.core.fail(Alarm::PointForbidden, 'R', "R");
     const auto number = static_cast<std::int64_t>(x.block.value('N'));
     x.core.at.block = -1;
-    if (number >= kFirstCell && number <= (x.settings.nct ? kLastCell : kLastFanucCell))
+    if (number >= kFirstCell && number <= x.settings.policy.tools.last_cell)
         return compensation_cell(x.core, number,
-                                 x.settings.nct
+                                 !x.settings.policy.tools.parameters_in_increments
                                      ? x.block.value('R')
                                      : x.block.value('R') * x.core.view().axes[0].increment);
-    const std::string name = fmt::format("{}{:04}", x.settings.nct ? 'N' : 'F', number);
+    const std::string name = fmt::format("{}{:04}", x.settings.policy.tools.parameters, number);
     const params::Row* row = params::find(name);
     if (!row || row->type == params::Type::Text)
         return x.core.fail(Alarm::ParameterInputIllegal, 'N', name);
@@ -80,7 +78,8 @@ bool g10_parameter_block(Execution& x) {
     } else {
         // fanuc: no point in R; lengths and angles count increments, as on the control's own
         // parameter screen.
-        const bool increments = !x.settings.nct && row->type == params::Type::Real &&
+        const bool increments = x.settings.policy.tools.parameters_in_increments &&
+                                row->type == params::Type::Real &&
                                 (row->unit == "mm" || row->unit == "deg" || row->unit == "mm|deg");
         const auto place = row->scope == params::Scope::Axis
                                ? static_cast<std::size_t>(x.block.value('P') - 1)
@@ -88,11 +87,12 @@ bool g10_parameter_block(Execution& x) {
         line += fmt::format("={}", increments ? value * view.axes[place].increment : value);
     }
     // ends of the stroke: as with G22 both sides must mean the same
-    if (number == 1322 || (x.settings.nct && number >= 1000 && number <= 1009))
+    if (number == 1322 ||
+        (x.settings.policy.tools.stroke_by_n1000 && number >= 1000 && number <= 1009))
         x.run.wants_barrier = true;
     if (!give_parameter(x, line, 'R')) return false;
     // the next word of the axis is read by them
-    if (!x.settings.nct && (number == 1008 || number == 1260)) {
+    if (x.settings.policy.tools.rollover_by_f1008 && (number == 1008 || number == 1260)) {
         fanuc_rollover(view);
         x.core.load_zeros();
     }

@@ -7,7 +7,6 @@
 #include "channels/fanuc/tools/managed_tool.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 constexpr std::int64_t power_of_ten(unsigned digits) {
@@ -67,7 +66,7 @@ bool tool_word(Execution& x) {
     std::int64_t geometry = code.geometry_by_tool ? tool : offset;
     if (code.offset_digits == 0) geometry = code.geometry_by_tool ? tool : state.geometry;
     if (offset == 0 && code.offset_digits != 0) {
-        if (x.settings.nct)
+        if (x.settings.policy.tools.zero_keeps_tool)
             geometry = code.geometry_by_tool && !code.zero_cancels_geometry ? tool : 0;
         else if (!code.geometry_by_tool && !code.geometry_travels && !code.zero_cancels_geometry)
             geometry = state.geometry;
@@ -153,7 +152,7 @@ void load_nose(Execution& x) {
     const MachineView& view = x.core.view();
     const OffsetCell& geometry = view.store->offsets[static_cast<std::size_t>(state.geometry)];
     const OffsetCell& wear = view.store->offsets[static_cast<std::size_t>(state.wear)];
-    state.nose_off = !x.settings.nct && state.ref.offset == 0;
+    state.nose_off = x.settings.policy.tools.nose_needs_offset && state.ref.offset == 0;
     state.nose_radius = state.nose_off ? 0.0
                                        : (state.geometry ? geometry.geometry_r : 0.0) +
                                              (state.wear ? wear.wear_r : 0.0);
