@@ -1,6 +1,7 @@
 #include "channels/fanuc/program/reading.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "channels/fanuc/block.hpp"
@@ -13,7 +14,6 @@
 #include "channels/fanuc/program/resume.hpp"
 
 namespace polyturn::channels::fanuc {
-
 namespace {
 
 Step end_of_text(Execution& x) {
@@ -30,108 +30,92 @@ Step end_of_text(Execution& x) {
     return Step::Ended;
 }
 
-}  // namespace
-
-void end_program(Execution& x, StopReason reason) {
-    x.core.mark_emitted();
-    x.core.sink().stop({reason}, x.core.at);
-    x.run.ended = true;
-    x.text.ended_by_code = reason != StopReason::End;
+// The next line, unless the one in hand holds a further block. Nothing: it is there.
+std::optional<Step> next_line(Execution& x) {
+    if (x.text.line_left) return std::nullopt;
+    switch (x.text.source->next(x.text.line)) {
+        case LineSource::Status::Line:
+            break;
+        case LineSource::Status::End:
+            return end_of_text(x);
+        case LineSource::Status::TooLong:
+            return report_at(x, Alarm::LineTooLong, 0, 0);
+        case LineSource::Status::ReadError:
+            return report_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+    }
+    x.text.column = 0;
+    return std::nullopt;
 }
 
-Step read_block(Execution& x) {
-    if (!x.run.reread) {
-        x.reading.inputs_fresh = false;
-        x.core.at.serial = ++x.run.serial;
-        if (x.run.keeps_states) note_resume_point(x);
-    }
-    if (x.run.reread) {
-        x.run.reread = false;
-    } else if (!x.text.line_left) {
-        switch (x.text.source->next(x.text.line)) {
-            case LineSource::Status::Line:
-                break;
-            case LineSource::Status::End:
-                return end_of_text(x);
-            case LineSource::Status::TooLong:
-                return report_at(x, Alarm::LineTooLong, 0, 0);
-            case LineSource::Status::ReadError:
-                return report_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
-        }
-        x.text.column = 0;
-    }
-    x.text.line_left = false;
-    x.words.culprit.line = x.words.culprit.column = x.words.culprit.length = 0;
-    x.reading.has_pending_fault = false;
-    x.core.begin_block();
-    x.core.rest_of_dwell = std::exchange(x.way_back.interruption.goes_on, false);
-    const CallLevel& frame = x.calls.frames.back();
+// What the events of the block say of its place.
+void name_place(Execution& x) {
+    const std::vector<CallLevel>& frames = x.calls.frames;
     BlockContext& at = x.core.at;
-    at.file = frame.file;
-    at.stack_depth = static_cast<std::uint8_t>(x.calls.frames.size() - 1);
-    at.by_code =
-        x.calls.frames.size() > 1 && std::any_of(x.calls.frames.begin() + 1, x.calls.frames.end(),
-                                                 [](const CallLevel& f) { return f.by_code; });
+    at.file = frames.back().file;
+    at.stack_depth = static_cast<std::uint8_t>(frames.size() - 1);
+    at.by_code = frames.size() > 1 && std::any_of(frames.begin() + 1, frames.end(),
+                                                  [](const CallLevel& f) { return f.by_code; });
     at.line = x.text.source->position().line;
     at.block = -1;
     at.statement = false;
     at.cycle = x.modal.cycles.finishing.active ? x.modal.cycles.finishing.name : std::string_view{};
-    const ScanStop stop = x.scanner.scan(x.text.line, x.text.column, x.block);
-    switch (stop) {
-        case ScanStop::EndOfLine:
-            break;
-        case ScanStop::Skipped:
-            x.text.line_left = x.scanner.stopped_at() < x.text.line.size();
-            break;
-        case ScanStop::EndOfBlock:
-            x.text.line_left = true;
-            break;
-        case ScanStop::TapeMark:
-            if (!x.modal.program.blocks_begun && !x.modal.program.tape_begun &&
-                x.block.count == 0) {
-                x.modal.program.tape_begun = x.run.state_changed =
-                    true;  // the rest of the line is the tape's title
-                return Step::Continue;
-            }
-            if (x.block.count == 0) {
-                x.modal.program.tape_begun = false;
-                if (x.settings.needs_end_code && x.calls.frames.size() == 1)
-                    return report_at(x, Alarm::ProgramEndMissing,
-                                     static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1);
-                return end_of_text(x);
-            }
-            return report_at(x, Alarm::CharacterUnknown,
-                             static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1, "%");
-        case ScanStop::NeedsBarrier:
-            read_value_barrier(x);
-            return Step::AtBarrier;
-        case ScanStop::Fault:
-            if (x.reading.has_pending_fault) return report(x, x.reading.pending_fault);
-            return report_at(x, x.scanner.fault().alarm, x.scanner.fault().column,
-                             x.scanner.fault().length,
-                             x.scanner.fault().letter ? std::string(1, x.scanner.fault().letter)
-                                                      : std::string{});
-        case ScanStop::Macro: {
-            if (!x.settings.policy.macro.statements)
-                return report_at(x, Alarm::NotBuilt,
-                                 static_cast<std::uint32_t>(x.scanner.stopped_at() + 1), 1,
-                                 "macro statements in mefi");
-            if (x.block.has('N'))
-                at.block = x.modal.last.n = static_cast<std::int64_t>(x.block.value('N'));
-            x.modal.program.blocks_begun = x.run.state_changed = true;
-            return macro_statement(x, x.scanner.stopped_at());
-        }
+}
+
+// A %: the beginning of the tape, or its end.
+Step tape_mark(Execution& x) {
+    RunningProgram& program = x.modal.program;
+    const auto column = static_cast<std::uint32_t>(x.scanner.stopped_at() + 1);
+    if (!program.blocks_begun && !program.tape_begun && x.block.count == 0) {
+        // the rest of the line is the tape's title
+        program.tape_begun = x.run.state_changed = true;
+        return Step::Continue;
     }
+    if (x.block.count != 0) return report_at(x, Alarm::CharacterUnknown, column, 1, "%");
+    program.tape_begun = false;
+    if (x.settings.needs_end_code && x.calls.frames.size() == 1)
+        return report_at(x, Alarm::ProgramEndMissing, column, 1);
+    return end_of_text(x);
+}
+
+Step scan_fault(Execution& x) {
+    if (x.reading.has_pending_fault) return report(x, x.reading.pending_fault);
+    const ScanFault& fault = x.scanner.fault();
+    return report_at(x, fault.alarm, fault.column, fault.length,
+                     fault.letter ? std::string(1, fault.letter) : std::string{});
+}
+
+void take_block_number(Execution& x) {
+    if (x.block.has('N'))
+        x.core.at.block = x.modal.last.n = static_cast<std::int64_t>(x.block.value('N'));
+}
+
+Step statement_block(Execution& x) {
+    if (!x.settings.policy.macro.statements)
+        return report_at(x, Alarm::NotBuilt, static_cast<std::uint32_t>(x.scanner.stopped_at() + 1),
+                         1, "macro statements in mefi");
+    take_block_number(x);
+    x.modal.program.blocks_begun = x.run.state_changed = true;
+    return macro_statement(x, x.scanner.stopped_at());
+}
+
+// N and O are whole numbers, as GOTO and M98 look for them. Nothing: they are.
+std::optional<Step> fault_of_numbers(Execution& x) {
     for (const char letter : {'N', 'O'}) {
         if (!x.block.has(letter)) continue;
         const Word& word = x.block.word(letter);
         if (word.from_expression)  // fanuc_lathe 6.1
             return report_at(x, Alarm::MacroFormat, word.column, word.length,
                              std::string(1, letter) + " takes no variable");
-        if (word.value < 0 || word.has_point)  // whole numbers, as GOTO and M98 look for them
+        if (word.value < 0 || word.has_point)
             return report_at(x, word.value < 0 ? Alarm::NegativeSign : Alarm::PointForbidden,
                              word.column, word.length, std::string(1, letter));
     }
+    return std::nullopt;
+}
+
+// A block of words, or an empty one.
+Step word_block(Execution& x) {
+    if (const std::optional<Step> fault = fault_of_numbers(x)) return *fault;
     const std::size_t next_column = x.scanner.stopped_at();
     if (x.block.count == 0 && !x.block.name_length) {
         x.text.column = next_column;
@@ -144,7 +128,7 @@ Step read_block(Execution& x) {
         x.text.line_left = false;
         return Step::AtBarrier;
     }
-    if (x.block.has('N')) at.block = x.modal.last.n = static_cast<std::int64_t>(x.block.value('N'));
+    take_block_number(x);
     if (x.run.keeps_states && !is_plain_move(x)) x.run.state_changed = true;
     if (x.block.has('O')) {
         if (x.modal.program.blocks_begun) {  // the next program of the text begins
@@ -158,6 +142,52 @@ Step read_block(Execution& x) {
     const Step step = nc_block(x);
     if (!x.run.jumped && !x.run.reread) x.text.column = next_column;
     return step;
+}
+
+}  // namespace
+
+void end_program(Execution& x, StopReason reason) {
+    x.core.mark_emitted();
+    x.core.sink().stop({reason}, x.core.at);
+    x.run.ended = true;
+    x.text.ended_by_code = reason != StopReason::End;
+}
+
+Step read_block(Execution& x) {
+    if (x.run.reread) {
+        x.run.reread = false;
+    } else {
+        x.reading.inputs_fresh = false;
+        x.core.at.serial = ++x.run.serial;
+        if (x.run.keeps_states) note_resume_point(x);
+        if (const std::optional<Step> end = next_line(x)) return *end;
+    }
+    x.text.line_left = false;
+    x.words.culprit = {};
+    x.reading.has_pending_fault = false;
+    x.core.begin_block();
+    x.core.rest_of_dwell = std::exchange(x.way_back.interruption.goes_on, false);
+    name_place(x);
+    switch (x.scanner.scan(x.text.line, x.text.column, x.block)) {
+        case ScanStop::EndOfLine:
+            break;
+        case ScanStop::Skipped:
+            x.text.line_left = x.scanner.stopped_at() < x.text.line.size();
+            break;
+        case ScanStop::EndOfBlock:
+            x.text.line_left = true;
+            break;
+        case ScanStop::TapeMark:
+            return tape_mark(x);
+        case ScanStop::NeedsBarrier:
+            read_value_barrier(x);
+            return Step::AtBarrier;
+        case ScanStop::Fault:
+            return scan_fault(x);
+        case ScanStop::Macro:
+            return statement_block(x);
+    }
+    return word_block(x);
 }
 
 Step step(Execution& x) {
