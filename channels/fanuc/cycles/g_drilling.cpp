@@ -130,64 +130,50 @@ bool drilling_words(Execution& x, const GCode& row) {
     return true;
 }
 
-}  // namespace
-
-bool g_drilling_off(Execution& x, const GCode&) {
-    x.modal.drilling = nullptr;
-    return true;
-}
-
-bool g_drilling(Execution& x, const GCode& row) {
-    const bool series15_only =
-        row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
-    const bool native_only = row.tenths == 870 || row.tenths == 880;
-    if (!x.settings.policy.drilling.every_cycle &&
-        (series15_drills(x.settings, x.core.view()) ? native_only : series15_only))
-        return x.core.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
-    // G80 has ended all data of the cycle before: the bottom, too, is said anew
-    if (!x.modal.drilling) x.modal.cycles.drill = {};
-    x.modal.drilling = &row;
-    return true;
-}
-
-// One block while a drilling cycle is active: to the hole, down and back, as often as L or K says.
-bool run_drilling(Execution& x) {
-    const GCode& row = *x.modal.drilling;
-    if (!drilling_words(x, row)) return false;
-    const int place = drilling_axis(x);
-    if (place < 0) return x.core.fail(Alarm::PlaneAxisMissing, 'G');
-    const auto axis = static_cast<unsigned>(place);
+// R, Q, P, E of a hole: they stay from hole to hole.
+void depth_words(Execution& x, unsigned axis) {
+    DrillWords& drill = x.modal.cycles.drill;
+    const DrillingPolicy& policy = x.settings.policy.drilling;
     const double scale = x.core.view().axes[axis].diameter ? 0.5 : 1.0;
-    x.core.at.cycle = row.name;
-    if (!x.modal.cycles.drill.initial_known) {
-        x.modal.cycles.drill.initial = x.core.path.programmed[axis];
-        x.modal.cycles.drill.initial_known = true;
+    if (!drill.initial_known) {
+        drill.initial = x.core.path.programmed[axis];
+        drill.initial_known = true;
     }
     if (x.block.has('R')) {
-        const double r = length_of(x, x.block.word('R'), x.settings.r_in_diameter ? place : -1) *
+        const double r = length_of(x, x.block.word('R'),
+                                   x.settings.r_in_diameter ? static_cast<int>(axis) : -1) *
                          (x.settings.r_in_diameter ? scale : 1.0);
         const bool absolute =
-            x.settings.policy.drilling.r_by_distance || x.settings.system != kA
-                ? x.modal.input.absolute &&
-                      (x.settings.policy.drilling.r_by_distance || x.settings.r_absolute)
+            policy.r_by_distance || x.settings.system != kA
+                ? x.modal.input.absolute && (policy.r_by_distance || x.settings.r_absolute)
                 : x.settings.r_absolute;
-        x.modal.cycles.drill.r_level = absolute ? r : x.modal.cycles.drill.initial + r;
-        x.modal.cycles.drill.r_set = true;
+        drill.r_level = absolute ? r : drill.initial + r;
+        drill.r_set = true;
     }
-    if (!x.modal.cycles.drill.r_set) x.modal.cycles.drill.r_level = x.modal.cycles.drill.initial;
-    if (x.block.has('Q')) x.modal.cycles.drill.q = std::fabs(length_of(x, x.block.word('Q'), -1));
+    if (!drill.r_set) drill.r_level = drill.initial;
+    if (x.block.has('Q')) drill.q = std::fabs(length_of(x, x.block.word('Q'), -1));
     if (x.block.has('P')) {
-        x.modal.cycles.drill.p = seconds_of(x, x.block.word('P'));
-        x.modal.cycles.drill.p_set = true;
+        drill.p = seconds_of(x, x.block.word('P'));
+        drill.p_set = true;
     }
     if (x.block.has('E')) {
-        x.modal.cycles.drill.e = std::fabs(length_of(x, x.block.word('E'), -1));
-        x.modal.cycles.drill.e_set = true;
+        drill.e = std::fabs(length_of(x, x.block.word('E'), -1));
+        drill.e_set = true;
     }
-    // Axis words: the drilling axis gives the bottom, all others the hole's place.
-    AxisValues target = x.core.path.programmed;
+}
+
+struct HolePlace {
+    AxisValues target{};
     // steps: named by an increment, which each repetition travels again
     AxisSet named = 0, steps = 0;
+};
+
+// Axis words: the drilling axis gives the bottom, all others the hole's place.
+bool place_words(Execution& x, int place, HolePlace& hole) {
+    DrillWords& drill = x.modal.cycles.drill;
+    const ChannelAxis& axis = x.core.view().axes[static_cast<std::size_t>(place)];
+    const double scale = axis.diameter ? 0.5 : 1.0;
+    hole.target = x.core.path.programmed;
     for (unsigned k = 0; k < x.words.axis_count; ++k) {
         const Word& word = x.block.words[x.words.axes[k]];
         const int incremental =
@@ -201,28 +187,21 @@ bool run_drilling(Execution& x) {
         if ((absolute >= 0 ? absolute : incremental) == place) {
             const double value = length_of(x, word, place) * scale;
             const bool from_r = absolute < 0 || !x.modal.input.absolute;
-            x.modal.cycles.drill.bottom = from_r ? x.modal.cycles.drill.r_level + value : value;
-            x.modal.cycles.drill.bottom_set = true;
+            drill.bottom = from_r ? drill.r_level + value : value;
+            drill.bottom_set = true;
         } else {
-            if (!axis_word(x, word, target, named)) return false;
-            if (absolute < 0 || !x.modal.input.absolute) steps |= 1u << axis_of(x, word).place;
+            if (!axis_word(x, word, hole.target, hole.named)) return false;
+            if (absolute < 0 || !x.modal.input.absolute) hole.steps |= 1u << axis_of(x, word).place;
         }
     }
-    if (!x.modal.cycles.drill.bottom_set)
-        return x.core.fail(Alarm::CycleWordMissing, 'G',
-                           std::string(x.core.view().axes[axis].name));
-    std::int64_t repeats = 1;
-    const char count = x.settings.policy.drilling.repeats_by_l || x.settings.series15 ? 'L' : 'K';
-    if (x.block.has(count) && !whole_number(x, count, repeats)) return false;
+    return drill.bottom_set || x.core.fail(Alarm::CycleWordMissing, 'G', std::string(axis.name));
+}
 
-    cycles::Drilling hole;
-    hole.axis = axis;
-    hole.initial = x.modal.cycles.drill.initial;
-    hole.r_level = x.modal.cycles.drill.r_level;
-    hole.bottom = x.modal.cycles.drill.bottom;
-    hole.to_r_level = x.settings.system != kA && x.modal.in_force(GGroup::ReturnLevel) &&
-                      x.modal.in_force(GGroup::ReturnLevel)->tenths == 990;
-    const bool dwell_word = x.modal.cycles.drill.p_set && x.modal.cycles.drill.p > 0;
+// How the code goes down and comes back.
+bool hole_form(Execution& x, const GCode& row, cycles::Drilling& hole) {
+    const DrillWords& drill = x.modal.cycles.drill;
+    const DrillingPolicy& policy = x.settings.policy.drilling;
+    const bool dwell_word = drill.p_set && drill.p > 0;
     switch (row.tenths) {
         case 810:
             break;
@@ -241,18 +220,18 @@ bool run_drilling(Execution& x) {
             [[fallthrough]];
         case 830:
         case 831:
-            hole.peck = x.modal.cycles.drill.q;
+            hole.peck = drill.q;
             hole.dwells = dwell_word;
-            hole.chip_break = row.tenths == 831 || (!x.settings.policy.drilling.pecks_by_code &&
+            hole.chip_break = row.tenths == 831 || (!policy.pecks_by_code &&
                                                     !series15_drills(x.settings, x.core.view()) &&
                                                     !x.settings.peck_full);
-            hole.clearance = x.modal.cycles.drill.e_set ? x.modal.cycles.drill.e
-                             : hole.chip_break          ? x.settings.chip_break_return
-                                                        : x.settings.peck_clearance;
+            hole.clearance = drill.e_set       ? drill.e
+                             : hole.chip_break ? x.settings.chip_break_return
+                                               : x.settings.peck_clearance;
             break;
         case 842:
         case 843:
-            if (x.settings.policy.drilling.rigid_by_code && !begin_rigid_tap(x, hole)) return false;
+            if (policy.rigid_by_code && !begin_rigid_tap(x, hole)) return false;
             [[fallthrough]];
         case 840:
         case 841:
@@ -284,20 +263,65 @@ bool run_drilling(Execution& x) {
         default:
             return x.core.fail(Alarm::NotBuilt, 'G', std::string(row.name));
     }
-    if (!x.settings.policy.drilling.rigid_by_code && rigid_form(x, row) && !lead_spindle(x, hole))
-        return false;
-    hole.dwell = x.modal.cycles.drill.p;
+    return policy.rigid_by_code || !rigid_form(x, row) || lead_spindle(x, hole);
+}
+
+}  // namespace
+
+bool g_drilling_off(Execution& x, const GCode&) {
+    x.modal.drilling = nullptr;
+    return true;
+}
+
+bool g_drilling(Execution& x, const GCode& row) {
+    const bool series15_only =
+        row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
+    const bool native_only = row.tenths == 870 || row.tenths == 880;
+    if (!x.settings.policy.drilling.every_cycle &&
+        (series15_drills(x.settings, x.core.view()) ? native_only : series15_only))
+        return x.core.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    // G80 has ended all data of the cycle before: the bottom, too, is said anew
+    if (!x.modal.drilling) x.modal.cycles.drill = {};
+    x.modal.drilling = &row;
+    return true;
+}
+
+// One block while a drilling cycle is active: to the hole, down and back, as often as L or K says.
+bool run_drilling(Execution& x) {
+    const GCode& row = *x.modal.drilling;
+    const DrillWords& drill = x.modal.cycles.drill;
+    if (!drilling_words(x, row)) return false;
+    const int place = drilling_axis(x);
+    if (place < 0) return x.core.fail(Alarm::PlaneAxisMissing, 'G');
+    const auto axis = static_cast<unsigned>(place);
+    x.core.at.cycle = row.name;
+    depth_words(x, axis);
+    HolePlace at;
+    if (!place_words(x, place, at)) return false;
+    std::int64_t repeats = 1;
+    const char count = x.settings.policy.drilling.repeats_by_l || x.settings.series15 ? 'L' : 'K';
+    if (x.block.has(count) && !whole_number(x, count, repeats)) return false;
+
+    cycles::Drilling hole;
+    hole.axis = axis;
+    hole.initial = drill.initial;
+    hole.r_level = drill.r_level;
+    hole.bottom = drill.bottom;
+    hole.to_r_level = x.settings.system != kA && x.modal.in_force(GGroup::ReturnLevel) &&
+                      x.modal.in_force(GGroup::ReturnLevel)->tenths == 990;
+    if (!hole_form(x, row, hole)) return false;
+    hole.dwell = drill.p;
     hole.dwells_at_r = x.settings.policy.drilling.dwells_at_r;
     hole.dwell_revolutions =
         x.settings.dwell_by_feed_mode && x.core.path.feed_mode == FeedMode::PerRevolution;
-    const AxisValues step = target;
     const AxisValues from = x.core.path.programmed;
     // once at the hole's place it stays there: a rotary axis may have come to it by another turn
     for (std::int64_t k = 0; k < repeats; ++k) {
         AxisValues position = x.core.path.programmed;
         for (unsigned i = 0; i < x.core.view().axis_count; ++i)
-            if (named >> i & 1u && (k == 0 || steps >> i & 1u))
-                position[i] = k == 0 ? step[i] : x.core.path.programmed[i] + (step[i] - from[i]);
+            if (at.named >> i & 1u && (k == 0 || at.steps >> i & 1u))
+                position[i] =
+                    k == 0 ? at.target[i] : x.core.path.programmed[i] + (at.target[i] - from[i]);
         if (!x.core.rapid(position) || !cycles::drill(x.core, hole)) return false;
     }
     return true;

@@ -1,6 +1,7 @@
 #include "channels/fanuc/macro/system_variables.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "channels/fanuc/execution.hpp"
 #include "channels/fanuc/macro/modal_values.hpp"
@@ -31,19 +32,10 @@ double mirrored_axes(const Execution& x) {
     return bits;
 }
 
-}  // namespace
-
-VariableStatus read_system(Execution& x, std::int64_t number, double& value) {
+// #5001 to #5199: where the axes are. Nothing: the variable is none of them.
+std::optional<VariableStatus> read_position(Execution& x, std::int64_t number, double& value) {
     MachineView& view = x.core.view();
     Port& port = x.core.port();
-    std::int32_t offset = 0;
-    if (const OffsetRange* range = find_range(number, offset)) {
-        if (offset > view.config().offset_count) return VariableStatus::Unknown;
-        // in the unit of the program
-        value = offset_value(view.store->offsets[offset], *range) /
-                (range->field == OffsetField::T ? 1.0 : x.modal.input.unit);
-        return VariableStatus::Ok;
-    }
     const double programmed_unit = 1.0 / x.modal.input.unit;
     const auto place_of = [&](std::int64_t first) { return static_cast<unsigned>(number - first); };
     // the same values under a second number (nct part 2 38)
@@ -126,23 +118,11 @@ VariableStatus read_system(Execution& x, std::int64_t number, double& value) {
         value = command && measured ? *command - *measured : 0.0;
         return VariableStatus::Ok;
     }
-    if (number >= 5201 && number < 5340) {
-        const std::int64_t row = (number - 5201) / 20, i = (number - 5201) % 20;
-        if (i >= static_cast<std::int64_t>(view.axis_count)) return VariableStatus::Unknown;
-        value =
-            view.store
-                ->zeros[static_cast<std::size_t>(row) * kChannelAxes + static_cast<std::size_t>(i)];
-        if (!view.axes[static_cast<std::size_t>(i)].rotary) value *= programmed_unit;
-        return VariableStatus::Ok;
-    }
-    if (number >= 4001 && number <= 4130) {
-        if (x.way_back.interruption.running) {
-            value =
-                x.way_back.interruption.modal_variables[static_cast<std::size_t>(number - 4001)];
-            return is_null(value) ? VariableStatus::Unknown : VariableStatus::Ok;
-        }
-        return modal_variable(x, number, value) ? VariableStatus::Ok : VariableStatus::Unknown;
-    }
+    return std::nullopt;
+}
+
+// What programs have set. Nothing: the variable is none of them.
+std::optional<VariableStatus> read_setting(Execution& x, std::int64_t number, double& value) {
     switch (number) {
         case 3003:
             value = x.modal.control.single_block_off * 1.0 + x.modal.control.no_finish_wait * 2.0;
@@ -165,11 +145,16 @@ VariableStatus read_system(Execution& x, std::int64_t number, double& value) {
             value = x.macro.system.parts_wanted;
             return VariableStatus::Ok;
         case 5900:
-            value = port.given_variable("#5900").value_or(x.macro.system.pattern);
+            value = x.core.port().given_variable("#5900").value_or(x.macro.system.pattern);
             return VariableStatus::Ok;
         default:
-            break;
+            return std::nullopt;
     }
+}
+
+// #1000 to #1135, #3001, #3002, #3011, #3012: the interface of the PLC, and clocks.
+VariableStatus read_interface(Execution& x, std::int64_t number, double& value) {
+    Port& port = x.core.port();
     const bool interface_input =
         (number >= 1000 && number <= 1035) || (number >= 1100 && number <= 1135);
     const bool clock = number == 3001 || number == 3002 || number == 3011 || number == 3012;
@@ -213,6 +198,40 @@ VariableStatus read_system(Execution& x, std::int64_t number, double& value) {
             break;
     }
     return VariableStatus::Ok;
+}
+
+}  // namespace
+
+VariableStatus read_system(Execution& x, std::int64_t number, double& value) {
+    MachineView& view = x.core.view();
+    std::int32_t offset = 0;
+    if (const OffsetRange* range = find_range(number, offset)) {
+        if (offset > view.config().offset_count) return VariableStatus::Unknown;
+        // in the unit of the program
+        value = offset_value(view.store->offsets[offset], *range) /
+                (range->field == OffsetField::T ? 1.0 : x.modal.input.unit);
+        return VariableStatus::Ok;
+    }
+    if (const auto status = read_position(x, number, value)) return *status;
+    if (number >= 5201 && number < 5340) {
+        const std::int64_t row = (number - 5201) / 20, i = (number - 5201) % 20;
+        if (i >= static_cast<std::int64_t>(view.axis_count)) return VariableStatus::Unknown;
+        value =
+            view.store
+                ->zeros[static_cast<std::size_t>(row) * kChannelAxes + static_cast<std::size_t>(i)];
+        if (!view.axes[static_cast<std::size_t>(i)].rotary) value *= 1.0 / x.modal.input.unit;
+        return VariableStatus::Ok;
+    }
+    if (number >= 4001 && number <= 4130) {
+        if (x.way_back.interruption.running) {
+            value =
+                x.way_back.interruption.modal_variables[static_cast<std::size_t>(number - 4001)];
+            return is_null(value) ? VariableStatus::Unknown : VariableStatus::Ok;
+        }
+        return modal_variable(x, number, value) ? VariableStatus::Ok : VariableStatus::Unknown;
+    }
+    if (const auto status = read_setting(x, number, value)) return *status;
+    return read_interface(x, number, value);
 }
 
 }  // namespace polyturn::channels::fanuc
