@@ -9,9 +9,9 @@
 
 namespace polyturn::channels::fanuc {
 
-class Interpreter;
+struct Execution;
 struct GCode;
-using Handler = bool (Interpreter::*)(const GCode&);
+using Handler = bool (*)(Execution&, const GCode&);
 
 // At most one code of a group acts in a block (the last one written). The order is the order of
 // execution, with reasons.
@@ -57,6 +57,24 @@ enum GSystem : std::uint8_t {
     kFanuc = 7
 };
 
+constexpr std::uint32_t bit_of(GGroup group) { return 1u << static_cast<unsigned>(group); }
+
+// What other words and codes of a block must know of a row.
+struct Trait {
+    enum Bits : std::uint16_t {
+        Arc = 1,          // I, J, K are its centre
+        Thread = 2,       // F is its lead
+        SimpleCycle = 4,  // end point and taper are modal for such cycles together
+        CompOn = 8,       // G41, G42
+        CompOff = 16,     // I, K beside it say how the contour would go on
+        Length = 32,      // H is the number of a length
+        Cylinder = 64,    // switches a transformation though it acts in its block only
+        Polygon = 128,    // alone in its block
+        Preset = 256,     // S is the limit of the spindle's speed
+        MacroCall = 512,  // all other words are arguments
+    };
+};
+
 struct GCode {
     std::string_view name;  // "G50.2"
     std::uint16_t tenths;   // number times ten
@@ -66,6 +84,9 @@ struct GCode {
     std::string_view takes;  // words it consumes; x: axis words
     bool at_reset;           // the group's state after reset, unless a parameter says otherwise
     std::string_view text;
+    std::uint16_t traits = 0;  // Trait bits
+
+    bool is(Trait::Bits trait) const { return (traits & trait) != 0; }
 };
 
 std::span<const GCode> g_codes();

@@ -1,6 +1,6 @@
 // Where the controls of the fanuc family differ, as values: made from the F parameters
-// (fanuc/settings.cpp) or from the N parameters (nct/settings.cpp). The interpreter asks these,
-// never which control it is, except for names and numbers.
+// (fanuc/settings.cpp) or from the N parameters (nct/settings.cpp). What parameters do not say is in
+// its policy. Handlers ask these, never which control it is.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 #include "channels/compensation/options.hpp"
 #include "channels/fanuc/g_codes.hpp"
+#include "channels/fanuc/policy.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/state/zero_rows.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -38,9 +39,7 @@ struct CodeCall {
 struct Settings {
     GSystem system = kA;
     Dialect dialect = Dialect::Fanuc;
-    bool nct = false;
-    // whole words only: no macros, no calls, no increments by letter
-    bool mefi = false;
+    Policy policy;
     // zero that is in force at the start of a program
     std::int32_t priority_zero_row = kZeroG54Row;
     bool point_means_nothing = false;  // F3401#0: numbers without a point are whole millimetres
@@ -150,6 +149,9 @@ struct Settings {
     std::vector<SpindleAddress> spindle_names;  // N0605, N0606: S2=3200
     unsigned locals = 33, common_first = 100, common_last = 199;
 };
+
+// Reads them from the parameters of a channel.
+using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
 
 void common_settings(Settings& settings, const params::Table& table, unsigned channel);
 void fanuc_axes(MachineView& view);

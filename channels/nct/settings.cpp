@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ipc/machine/errors/compensation_tables.hpp"
+
 namespace polyturn::channels::nct {
 
 using namespace params;
@@ -19,6 +21,55 @@ void add_run(std::vector<fanuc::CodeCall>& calls, double start, std::int64_t pro
              static_cast<std::int32_t>(program + k), macro, start < 0 ? modal : std::uint8_t{0}});
 }
 
+fanuc::Policy nct_policy() {
+    fanuc::Policy p;
+    p.words.systems_by_bits = false;
+    p.words.g183_is_g83_1 = true;
+    p.words.rounds_codes = p.words.rounds_to_increment = false;
+    p.words.whole_factors = p.words.whole_rotation = p.words.whole_dwell =
+        p.words.whole_start_angle = p.words.dwell_with_point = true;
+    p.macro.variable_names = p.macro.short_constants = p.macro.pattern_data = false;
+    p.macro.codes_lead_calls = p.macro.alarms_to_200 = p.macro.inputs_ahead = false;
+    p.macro.arguments_anywhere = p.macro.letters_keep_theirs = true;
+    p.macro.alarm_of_macro_depth = p.macro.groups_of_nct = true;
+    p.macro.last_output = 1131;
+    p.macro.last_wide_output = 1135;
+    p.program.recalls = p.program.interrupts_ahead = p.program.counts_before_number = false;
+    p.program.b_axis = p.program.life_groups = false;
+    p.program.keeps_groups = p.program.starts_away = p.program.interrupted_by_mint = true;
+    p.motion.lathe_corners = p.motion.corners_at_right_angles = p.motion.loose_arcs = false;
+    p.motion.side_at_begin = false;
+    p.motion.arc_radius_of_any_sign = p.motion.polar_not_in_yz = true;
+    p.motion.g30_counts_further = p.motion.diameter_by_axis = true;
+    p.measuring.decimal_codes = p.measuring.nose_centre = false;
+    p.measuring.torque_by_q = p.measuring.along_y = p.measuring.input_by_number =
+        p.measuring.distances_of_mills = true;
+    p.cycles.divisions_with_point = false;
+    p.cycles.first_block_once = p.cycles.goes_on_with_contour = p.cycles.taper_by_centre =
+        p.cycles.first_pocket_by_n1611 = p.cycles.divides_by_passes = true;
+    p.drilling = {.along_plane = true,
+                  .every_cycle = true,
+                  .own_words = true,
+                  .retract_word = true,
+                  .bores_back = true,
+                  .r_by_distance = true,
+                  .repeats_by_l = true,
+                  .pecks_by_code = true,
+                  .rigid_by_code = true,
+                  .dwells_at_r = false};
+    p.spindles.polygon_holds_axis = p.spindles.polygon_alone = false;
+    p.spindles.surface_axis_of_machine = p.spindles.watch_seconds = true;
+    p.spindles.watch_limit = 'D';
+    p.spindles.foreign_limit = 'I';
+    p.tools.nose_needs_offset = p.tools.radius_by_c = p.tools.offsets_by_digits = false;
+    p.tools.zero_keeps_tool = p.tools.offsets_of_mills = true;
+    p.tools.parameters = 'N';
+    p.tools.last_cell = kLastCell;
+    p.tools.parameters_in_increments = p.tools.rollover_by_f1008 = false;
+    p.tools.parameter_with_point = p.tools.stroke_by_n1000 = true;
+    return p;
+}
+
 }  // namespace
 
 fanuc::Settings nct_settings(const Table& t, unsigned l) {
@@ -26,7 +77,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     fanuc::common_settings(s, t, l);
     s.system = fanuc::kN;
     s.dialect = Dialect::Nct;
-    s.nct = true;
+    s.policy = nct_policy();
     // the examples of nct part 1 3.5, part 2 22.2 and 22.4: B380, Z5, X-30 are whole degrees and
     // millimetres
     s.point_means_nothing = true;

@@ -14,7 +14,7 @@ struct OwnMCode {
     std::string_view name, text;  // text: translated in channels/reference_words.txt
 };
 
-// What the interpreter of the fanuc family acts on (channels/fanuc/macro/functions.cpp, m_after).
+// What the interpreter of the fanuc family acts on (channels/fanuc/functions/m_codes.cpp).
 inline constexpr auto kFanucMCodes = std::to_array<OwnMCode>({
     {"M0", "Programmed stop: start goes on"},
     {"M1", "Stop where optional stop is on"},

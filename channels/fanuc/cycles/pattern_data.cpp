@@ -6,43 +6,48 @@
 // O9500 is the menu, O9501 to O9510 are the data pages. Each line is a message, and all of them are
 // a page that the operator is asked where the program ends (channels/dialogue.hpp): the pattern
 // chosen becomes #5900 and its data page follows; values go to their variables.
+#include "channels/fanuc/cycles/pattern_data.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include "channels/fanuc/interpreter.hpp"
+#include "channels/fanuc/execution.hpp"
+#include "channels/fanuc/grammar/word_values.hpp"
+#include "channels/fanuc/macro/variable_writes.hpp"
+#include "channels/fanuc/program/calls.hpp"
 
 namespace polyturn::channels::fanuc {
 
-bool Interpreter::g_pattern_data(std::int64_t kind) {
+bool g_pattern_data(Execution& x, std::int64_t kind) {
     static constexpr char kAll[] = {'P', 'Q', 'R', 'I', 'J', 'K'};
     const bool numbered = kind == 91 || kind == 93;
     std::int64_t number = 0;
     if (numbered) {
-        if (!block_.has('P')) return core_.fail(Alarm::CycleWordMissing, 'H', "P");
-        if (!whole('P', number)) return false;
+        if (!x.block.has('P')) return x.core.fail(Alarm::CycleWordMissing, 'H', "P");
+        if (!whole_number(x, 'P', number)) return false;
         const bool good = kind == 91 ? number >= 1 && number <= 10 : number >= 500 && number <= 531;
         if (!good)
-            return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(number));
+            return x.core.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(number));
     }
     std::string text;
     for (const char letter : kAll) {
         if (numbered && letter == 'P') continue;
-        if (!block_.has(letter)) {
+        if (!x.block.has(letter)) {
             text += "  ";
             continue;
         }
         std::int64_t codes = 0;
-        if (!whole(letter, codes)) return false;
+        if (!whole_number(x, letter, codes)) return false;
         for (const std::int64_t code : {codes / 1000, codes % 1000}) {
             if (code == 0) {
                 text += ' ';
                 continue;
             }
             if (code < 32 || code > 95 || code == '(' || code == ')')
-                return core_.fail(Alarm::PatternText, letter, std::to_string(codes));
+                return x.core.fail(Alarm::PatternText, letter, std::to_string(codes));
             text += static_cast<char>(code);
         }
     }
@@ -51,13 +56,14 @@ bool Interpreter::g_pattern_data(std::int64_t kind) {
     std::string line = std::string(kWhat[kind - 90]);
     if (kind == 91) line += fmt::format(" {}", number);
     if (kind == 93) line += fmt::format(" #{}", number);
-    core_.mark_emitted();
-    core_.sink().message(line + ": " + text, core_.at);
+    x.core.mark_emitted();
+    x.core.sink().message(line + ": " + text, x.core.at);
     // with compensation on nothing can be asked: the lines stay messages
-    if (core_.reads_ahead()) return true;
+    if (x.core.reads_ahead()) return true;
     static constexpr std::size_t kMostNotes = 8, kMostFields = 32;
-    if (kind == 90 || kind == 92 || !dialogue_.open) dialogue_ = {true, kind <= 91, false, {}};
-    DialoguePage& page = dialogue_.page;
+    if (kind == 90 || kind == 92 || !x.macro.dialogue.open)
+        x.macro.dialogue = {true, kind <= 91, false, {}};
+    DialoguePage& page = x.macro.dialogue.page;
     switch (kind) {
         case 90:
         case 92:
@@ -71,7 +77,7 @@ bool Interpreter::g_pattern_data(std::int64_t kind) {
         case 93: {
             if (page.fields.size() == kMostFields) break;
             double value = NAN;
-            (void)variables_.read(number, value);
+            (void)x.macro.variables.read(number, value);
             page.fields.push_back({text, "#" + std::to_string(number), value});
             break;
         }
@@ -81,9 +87,9 @@ bool Interpreter::g_pattern_data(std::int64_t kind) {
     return true;
 }
 
-bool Interpreter::ends_program() const {
-    for (unsigned k = 0; k < block_.count; ++k) {
-        const Word& word = block_.words[k];
+bool ends_program(const Execution& x) {
+    for (unsigned k = 0; k < x.block.count; ++k) {
+        const Word& word = x.block.words[k];
         if (word.axis < 0 && word.address == 'M' &&
             (word.value == 99 || word.value == 2 || word.value == 30))
             return true;
@@ -94,55 +100,38 @@ bool Interpreter::ends_program() const {
 // Where the program ends that has built a page: first the page is asked and the block is read again
 // behind the barrier, then the answers are taken. `done`: the end may act. A key that the page does
 // not have is no answer: it is asked again.
-bool Interpreter::pattern_dialogue(bool& done) {
-    if (core_.reads_ahead()) return done = true;
-    if (!dialogue_.asked) {
-        if (!dialogue_.menu) dialogue_.page.keys = {"INPUT"};
-        core_.mark_emitted();
-        core_.sink().stop({StopReason::Dialogue, &dialogue_.page}, core_.at);
-        dialogue_.asked = reread_ = true;
-        line_left_ = false;
+bool pattern_dialogue(Execution& x, bool& done) {
+    if (x.core.reads_ahead()) return done = true;
+    if (!x.macro.dialogue.asked) {
+        if (!x.macro.dialogue.menu) x.macro.dialogue.page.keys = {"INPUT"};
+        x.core.mark_emitted();
+        x.core.sink().stop({StopReason::Dialogue, &x.macro.dialogue.page}, x.core.at);
+        x.macro.dialogue.asked = x.run.reread = true;
+        x.text.line_left = false;
         return true;
     }
-    const DialogueAnswers answers = core_.port().dialogue_answers();
+    const DialogueAnswers answers = x.core.port().dialogue_answers();
     const std::size_t key = static_cast<std::size_t>(std::max(0, answers.key));
-    if (!dialogue_.menu)
+    if (!x.macro.dialogue.menu)
         for (const auto& [name, value] : answers.values) {
             const auto field = std::find_if(
-                dialogue_.page.fields.begin(), dialogue_.page.fields.end(),
+                x.macro.dialogue.page.fields.begin(), x.macro.dialogue.page.fields.end(),
                 [&, wanted = name](const auto& one) { return one.variable == wanted; });
-            if (field == dialogue_.page.fields.end()) continue;
+            if (field == x.macro.dialogue.page.fields.end()) continue;
             field->value = value;
-            if (!written(std::strtoll(name.c_str() + 1, nullptr, 10), value, {})) return false;
+            if (!write_variable(x, std::strtoll(name.c_str() + 1, nullptr, 10), value, {}))
+                return false;
         }
-    if (key > 0 && (key > dialogue_.page.keys.size() || dialogue_.page.keys[key - 1].empty())) {
-        dialogue_.asked = false;
-        return pattern_dialogue(done);
+    if (key > 0 &&
+        (key > x.macro.dialogue.page.keys.size() || x.macro.dialogue.page.keys[key - 1].empty())) {
+        x.macro.dialogue.asked = false;
+        return pattern_dialogue(x, done);
     }
-    const bool menu = dialogue_.menu;
-    dialogue_ = {};
+    const bool menu = x.macro.dialogue.menu;
+    x.macro.dialogue = {};
     if (!menu || key == 0) return done = true;
-    if (!written(5900, static_cast<double>(key), {})) return false;
-    done = !go_on_with(9500 + static_cast<std::int64_t>(key));
-    return true;
-}
-
-// Another program in the place of this one: it ends where this one would have ended. False: there
-// is none.
-bool Interpreter::go_on_with(std::int64_t number) {
-    auto file = files_->find_number(number);
-    if (!file && find_program_in(frames_.back().file, number)) file = frames_.back().file;
-    if (!file) return false;
-    CallLevel& frame = frames_.back();
-    loops_.resize(frame.loops);
-    frame.file = *file;
-    frame.program = number;
-    frame.begin = find_program_in(*file, number).value_or(TextPosition{});
-    source_ = &files_->source(*file);
-    source_->seek(frame.begin);
-    look_whether_hidden();
-    blocks_begun_ = tape_begun_ = line_left_ = false;
-    jumped_ = true;
+    if (!write_variable(x, 5900, static_cast<double>(key), {})) return false;
+    done = !go_on_with(x, 9500 + static_cast<std::int64_t>(key));
     return true;
 }
 

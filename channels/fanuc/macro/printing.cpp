@@ -5,11 +5,14 @@
 //
 // The text is one event; the port keeps it (a file). Blanks between the items are not sent, an
 // asterisk is a blank.
+#include "channels/fanuc/macro/printing.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "channels/fanuc/interpreter.hpp"
+#include "channels/fanuc/execution.hpp"
+#include "channels/fanuc/macro/flow.hpp"
 #include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -19,6 +22,7 @@ bool is_sent(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '*' || c == '/' || c == '+' ||
            c == '-' || c == '.' || c == ',';
 }
+
 // Sign, whole digits (the lowest `whole`), point and decimals. compact: neither plus sign nor
 // leading zeros.
 std::string decimal_text(double value, int whole, int decimals, bool compact) {
@@ -46,72 +50,74 @@ std::string decimal_text(double value, int whole, int decimals, bool compact) {
     return text;
 }
 
-}  // namespace
-
 // #n[cd] or #[..][cd]: c integer digits and d decimals; binary: c decimals.
-Interpreter::Flow Interpreter::print_item(bool binary, const char*& at, const char* end,
-                                          std::string& text) {
+Flow print_item(Execution& x, bool binary, const char*& at, const char* end, std::string& text) {
     const char* const begin = at;
     double value = 0.0;
-    if (const Flow flow = flow_of(expression_.operand(at, end, value)); flow != Flow::Done)
+    if (const Flow flow = flow_of(x, x.macro.expression.operand(at, end, value));
+        flow != Flow::Done)
         return flow;
     blanks(at, end);
-    if (at == end || *at != '[') return flow_fault(Alarm::BracketMissing, at == end ? begin : at);
+    if (at == end || *at != '[')
+        return flow_fault(x, Alarm::BracketMissing, at == end ? begin : at);
     ++at;
     int format[3] = {0, 0, 0}, count = 0;
     for (blanks(at, end); at != end && *at >= '0' && *at <= '9' && count < 3; ++at)
         format[count++] = *at - '0';
     blanks(at, end);
-    if (at == end || *at != ']') return flow_fault(Alarm::BracketMissing, at == end ? begin : at);
+    if (at == end || *at != ']')
+        return flow_fault(x, Alarm::BracketMissing, at == end ? begin : at);
     ++at;
     if (count == 0 || count > (binary ? 1 : 2) || (!binary && format[0] + format[1] > 8) ||
         (!binary && format[0] + format[1] == 0))
-        return flow_fault(Alarm::PrintFormat, begin, std::string(begin, at));
+        return flow_fault(x, Alarm::PrintFormat, begin, std::string(begin, at));
     if (is_null(value)) value = 0.0;
     if (!binary) {
-        text += decimal_text(value, format[0], format[1], !print_blanks_);
+        text += decimal_text(value, format[0], format[1], !x.macro.printing.blanks);
         return Flow::Done;
     }
     const double scaled = std::round(value * std::pow(10.0, format[0]));
     if (scaled < -2147483648.0 || scaled > 2147483647.0)
-        return flow_fault(Alarm::ResultOutOfRange, begin, "BPRNT");
+        return flow_fault(x, Alarm::ResultOutOfRange, begin, "BPRNT");
     const auto bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(scaled));
     for (int shift = 24; shift >= 0; shift -= 8) text += static_cast<char>(bits >> shift & 0xFF);
     return Flow::Done;
 }
 
-Interpreter::Flow Interpreter::print_statement(std::string_view name, const char*& at,
-                                               const char* end) {
+}  // namespace
+
+Flow print_statement(Execution& x, std::string_view name, const char*& at, const char* end) {
     const char* const begin = at;
     // the word, or its beginning
     while (at != end && ((*at >= 'A' && *at <= 'Z') || (*at >= 'a' && *at <= 'z'))) ++at;
     if (name == "POPEN") {
         // DC2
-        if (!printing_ && !reads_contour_ && !core_.port().print(core_.view(), "\x12", true))
-            return flow_fault(Alarm::OutputFile, begin, "POPEN");
-        printing_ = true;
+        if (!x.macro.printing.open && !x.reading.contour &&
+            !x.core.port().print(x.core.view(), "\x12", true))
+            return flow_fault(x, Alarm::OutputFile, begin, "POPEN");
+        x.macro.printing.open = true;
         return Flow::Done;
     }
-    if (!printing_) return flow_fault(Alarm::PrintClosed, begin, std::string(name));
+    if (!x.macro.printing.open) return flow_fault(x, Alarm::PrintClosed, begin, std::string(name));
     if (name == "PCLOS") {
         // DC4
-        if (!reads_contour_ && !core_.port().print(core_.view(), "\x14", true))
-            return flow_fault(Alarm::OutputFile, begin, "PCLOS");
-        printing_ = false;
+        if (!x.reading.contour && !x.core.port().print(x.core.view(), "\x14", true))
+            return flow_fault(x, Alarm::OutputFile, begin, "PCLOS");
+        x.macro.printing.open = false;
         return Flow::Done;
     }
-    print_blanks_ = !settings_.print_compact;
+    x.macro.printing.blanks = !x.settings.print_compact;
     blanks(at, end);
-    if (at == end || *at != '[') return flow_fault(Alarm::BracketMissing, begin);
+    if (at == end || *at != '[') return flow_fault(x, Alarm::BracketMissing, begin);
     ++at;
     std::string text, shown;
     for (;;) {
         blanks(at, end);
-        if (at == end) return flow_fault(Alarm::BracketMissing, begin);
+        if (at == end) return flow_fault(x, Alarm::BracketMissing, begin);
         if (*at == ']') break;
         if (*at == '#') {
             const std::size_t before = text.size();
-            if (const Flow flow = print_item(name[0] == 'B', at, end, text); flow != Flow::Done)
+            if (const Flow flow = print_item(x, name[0] == 'B', at, end, text); flow != Flow::Done)
                 return flow;
             if (name[0] == 'D')
                 shown += text.substr(before);
@@ -121,22 +127,22 @@ Interpreter::Flow Interpreter::print_statement(std::string_view name, const char
             continue;
         }
         const char c = *at >= 'a' && *at <= 'z' ? static_cast<char>(*at - 32) : *at;
-        if (!is_sent(c)) return flow_fault(Alarm::CharacterUnknown, at, std::string(1, c));
+        if (!is_sent(c)) return flow_fault(x, Alarm::CharacterUnknown, at, std::string(1, c));
         text += c == '*' ? ' ' : c;
         shown += c == '*' ? ' ' : c;
         ++at;
     }
     ++at;
-    core_.mark_emitted();
-    core_.sink().print(shown, core_.at);
-    text += settings_.print_line_end;
-    if (settings_.print_parity && name[0] == 'D')  // even parity in the highest bit
+    x.core.mark_emitted();
+    x.core.sink().print(shown, x.core.at);
+    text += x.settings.print_line_end;
+    if (x.settings.print_parity && name[0] == 'D')  // even parity in the highest bit
         for (char& c : text)
             c = static_cast<char>(
                 static_cast<unsigned char>(c) |
                 (__builtin_popcount(static_cast<unsigned char>(c) & 0x7Fu) & 1 ? 0x80u : 0u));
-    if (!reads_contour_ && !core_.port().print(core_.view(), text, false))
-        return flow_fault(Alarm::OutputFile, begin, std::string(name));
+    if (!x.reading.contour && !x.core.port().print(x.core.view(), text, false))
+        return flow_fault(x, Alarm::OutputFile, begin, std::string(name));
     return Flow::Done;
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "channels/fanuc/macro/variable_names.hpp"
-#include "channels/fanuc/motion/b_memory.hpp"
+#include "channels/fanuc/b_axis/b_memory.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
