@@ -61,7 +61,7 @@ bool Machine::start_positioning_axis(std::uint32_t a,
     core_.event(KernelEventKind::PositioningBegin, l, static_cast<std::int32_t>(a + 1), wish.target,
                 wish.line);
     axis.beside = true;
-    if (wish.channel && (channels_[wish.channel - 1]->keys & kKeyMachineLock)) return true;
+    if (wish.channel && (channels_[wish.channel - 1]->panel().keys & kKeyMachineLock)) return true;
     if (way == 0) return true;
     start_jog(*permit, a, way > 0 ? 1.0 : -1.0, config.rapid, std::fabs(way), 0.0, true);
     jogs_[a].limit_speed(positioning_speed(a));
@@ -88,7 +88,7 @@ double Machine::positioning_speed(std::uint32_t a) const noexcept {
         const ChannelRunner& runner = *channels_[wish.channel - 1];
         if (runner.holds_positioning()) return 0.0;
         v *= runner.handwheel_share();
-        v *= wish.speed > 0 ? runner.feed_factor() : runner.rapid_override;
+        v *= wish.speed > 0 ? runner.feed_factor() : runner.panel().rapid_override;
     }
     if (core_.signals.plc(signals::cp_setup(config.channel))) v = std::fmin(v, config.setup_feed);
     if (!core_.axes[a].referenced && config.reference.rapid > 0)

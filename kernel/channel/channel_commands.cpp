@@ -19,40 +19,40 @@ std::string_view why_unlike(WaitBoard::Kind one, WaitBoard::Kind other) noexcept
 }  // namespace
 
 void ChannelRunner::stand(ChannelState state, StopReason reason) noexcept {
-    state_ = state;
-    stop_reason_ = reason;
-    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(reason), 0, line_);
+    program_.enter(state, reason);
+    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(reason), 0,
+                shown_.line);
 }
 
 void ChannelRunner::raise(Alarm number, std::string_view detail, double value) noexcept {
-    if (alarm_) return;  // the first one is the cause
-    alarm_ = true;
-    interrupted_ = true;  // settle() makes it the state once the path rests
-    core_.alarm(number, number_, detail, value, line_);
+    if (program_.alarm) return;  // the first one is the cause
+    program_.alarm = true;
+    program_.brake_for(Brake::Alarm);  // settle() makes it the state once the path rests
+    core_.alarm(number, number_, detail, value, shown_.line);
 }
 
 void ChannelRunner::interrupt() noexcept {
-    if (!program_runs()) return;
-    alarm_ = true;
-    interrupted_ = true;
+    if (!program_.runs()) return;
+    program_.alarm = true;
+    program_.brake_for(Brake::Alarm);
 }
 
 StartView ChannelRunner::start_view() const noexcept {
     StartView view{number_};
-    view.process_there = segment_ && !dead_ && !stopped_;
-    view.resting = !resetting_;
-    view.alarmed = state_ == ChannelState::Interrupted;
-    view.by_hand_mode = mode_ == ChannelMode::Jog || mode_ == ChannelMode::Handwheel ||
-                        mode_ == ChannelMode::Reference;
-    view.away = jog_in_hold_ && !resumes_elsewhere();
-    const bool begins = state_ == ChannelState::Reset || state_ == ChannelState::Ended;
-    const bool at_block =
-        state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Restart;
-    view.others_search = begins ? restart_refused_ && mode_ == ChannelMode::Auto
-                                : at_block && (restart_refused_ || !restart_complete_);
-    view.lacks_program = begins && mode_ == ChannelMode::Auto && !selected_;
+    view.process_there = process_.listens();
+    view.resting = !program_.resets();
+    view.alarmed = program_.is(ChannelState::Interrupted);
+    view.by_hand_mode = program_.mode == ChannelMode::Jog ||
+                        program_.mode == ChannelMode::Handwheel ||
+                        program_.mode == ChannelMode::Reference;
+    view.away = resume_.aside && !resumes_elsewhere();
+    const bool begins = program_.begins();
+    const bool at_block = program_.stopped_by(StopReason::Restart);
+    view.others_search = begins ? restart_.refused && program_.mode == ChannelMode::Auto
+                                : at_block && (restart_.refused || !restart_.complete);
+    view.lacks_program = begins && program_.mode == ChannelMode::Auto && !process_.selected;
     // the selected program is not what an operator in this mode means
-    view.lacks_block = begins && mode_ == ChannelMode::Mdi && lines_.waiting() == 0;
+    view.lacks_block = begins && program_.mode == ChannelMode::Mdi && hand_.lines.waiting() == 0;
     return view;
 }
 
@@ -62,13 +62,13 @@ bool ChannelRunner::lacks_program_or_block() const noexcept {
 }
 
 std::uint32_t ChannelRunner::check_start_conditions() noexcept {
-    return start_missing_ = rows_missing_for_start(core_, start_view());
+    return panel_.start_missing = rows_missing_for_start(core_, start_view());
 }
 
 void ChannelRunner::cycle_start(bool only_by_hand) noexcept {
     if (only_by_hand && !line_is_next()) {
-        if (lines_.waiting() == 0) return;  // why the block was not taken has been said
-        if (program_runs()) return core_.alarm(Alarm::MdiRefused, number_, "a program runs");
+        if (hand_.lines.waiting() == 0) return;  // why the block was not taken has been said
+        if (program_.runs()) return core_.alarm(Alarm::MdiRefused, number_, "a program runs");
     }
     start_by({});
 }
@@ -81,44 +81,44 @@ std::optional<StartPermit> ChannelRunner::permit_of(Door door, const StartView& 
 
 // What a start means just now.
 Door ChannelRunner::door_of_start() const noexcept {
-    if (idle()) return mode_ == ChannelMode::Mdi ? Door::EnteredLine : Door::Start;
+    if (idle()) return program_.mode == ChannelMode::Mdi ? Door::EnteredLine : Door::Start;
     if (line_is_next()) return Door::LineInHold;
-    return trail_.active() || retrace_ < 0 ? Door::Retrace : Door::GoOn;
+    return retrace_.chosen() ? Door::Retrace : Door::GoOn;
 }
 
 // `door`: another one than the key of cycle start.
 void ChannelRunner::start_by(std::optional<Door> door) noexcept {
-    const bool drives = state_ == ChannelState::Running || state_ == ChannelState::Waiting;
-    if (drives && !hold_) return;
+    const bool drives = program_.drives();
+    if (drives && !program_.holds()) return;
     // machine lock of this very tick: it counts before the program runs, or not at all
     if (!drives) take_keys();
     // a reset of this very tick, on a computer that is late: it comes first, as it was pressed
-    if (resetting_ && at_rest() && !restart_refused_) finish_reset();
+    if (program_.resets() && at_rest() && !restart_.refused) finish_reset();
     const auto permit = permit_of(door.value_or(door_of_start()), start_view());
     if (!permit) return;
-    switch (state_) {
+    switch (program_.state()) {
         case ChannelState::Running:
         // pressed hold and start before it came to rest
         case ChannelState::Waiting:
-            hold_ = false;
+            program_.release(Brake::Hold);
             return;
         case ChannelState::Reset:
         case ChannelState::Ended:
-            if (mode_ == ChannelMode::Mdi) {
-                lines_.begin(!(keys & kKeySingleBlock));
+            if (program_.mode == ChannelMode::Mdi) {
+                hand_.lines.begin(!(panel_.keys & kKeySingleBlock));
                 begin_line(*permit);
             } else
                 begin_program(*permit, ChannelEventKind::CycleStart,
                               static_cast<double>(core_.supervisor.options.parts
                                                       ? core_.supervisor.options.parts
                                                       : 1),
-                              cursor_, {});
+                              path_.cursor, {});
             return;
         case ChannelState::Held:
             if (line_is_next()) return begin_in_hold(*permit, HandBlock::Of::List);
             return go_on(*permit);
         case ChannelState::ProgramStop:
-            if (stop_reason_ == StopReason::Dialogue && !answered_) {
+            if (program_.reason() == StopReason::Dialogue && door != Door::DialogueKey) {
                 core_.alarm(Alarm::NotReady, number_,
                             "the program waits for an answer to its dialogue");
                 return;
@@ -131,73 +131,70 @@ void ChannelRunner::start_by(std::optional<Door> door) noexcept {
 
 // From where it stands, in a hold or at a stop.
 void ChannelRunner::go_on(StartPermit permit) noexcept {
-    const bool at_stop = state_ == ChannelState::ProgramStop;
-    if (trail_.active() || retrace_ < 0)
+    const bool at_stop = program_.is(ChannelState::ProgramStop);
+    if (retrace_.chosen())
         (void)start_retrace(permit);
     else if (!ready_to_continue())
         return;
-    hold_ = false;
+    program_.release(Brake::Hold);
     if (at_stop) {
-        if (stop_reason_ == StopReason::Restart) {
+        if (program_.reason() == StopReason::Restart) {
             core_.waits.take_search(index_);
-            restart_ = RestartState::None;
+            restart_.stage = RestartState::None;
         }
-        continue_ = phase_ == Phase::Stopped;
-        if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
-        state_ = ChannelState::Running;
+        standing_.goes_on = standing_.phase == Phase::Stopped;
+        if (program_.reason() == StopReason::SingleBlock) path_.planner->step_block();
+        program_.enter(ChannelState::Running);
     } else {
-        state_ =
-            phase_ == Phase::Waiting && !released_ ? ChannelState::Waiting : ChannelState::Running;
+        program_.enter(standing_.phase == Phase::Waiting && !standing_.wait.released
+                           ? ChannelState::Waiting
+                           : ChannelState::Running);
     }
-    stop_reason_ = StopReason::None;
+    program_.no_reason();
 }
 
 void ChannelRunner::dialogue_value(double value, std::string_view variable) noexcept {
-    const bool asks = state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Dialogue;
+    const bool asks = program_.stopped_by(StopReason::Dialogue);
     // of the outbox, for the key and what a tick reports besides
     constexpr std::size_t kKeptFree = 4;
     if (!asks)
         core_.alarm(Alarm::NotReady, number_, "no dialogue of the program is open");
-    else if (outbox_count_ + kKeptFree > outbox_.size())
+    else if (!outbox_.has_room_for(kKeptFree))
         core_.alarm(Alarm::NotReady, number_, "too many answers at a time");
     else
-        tell(ChannelEventKind::DialogueValue, cursor_, value, variable);
+        tell(ChannelEventKind::DialogueValue, path_.cursor, value, variable);
 }
 
 // The answer goes to the channel first, then the path goes on: the barrier behind the stop comes
 // after it.
 void ChannelRunner::dialogue_key(double key) noexcept {
-    if (state_ != ChannelState::ProgramStop || stop_reason_ != StopReason::Dialogue) {
+    if (!program_.is(ChannelState::ProgramStop) || program_.reason() != StopReason::Dialogue) {
         core_.alarm(Alarm::NotReady, number_, "no dialogue of the program is open");
         return;
     }
-    answered_ = true;
     start_by(Door::DialogueKey);
-    answered_ = false;
-    if (state_ == ChannelState::Running) tell(ChannelEventKind::DialogueKey, cursor_, key);
+    if (program_.is(ChannelState::Running)) tell(ChannelEventKind::DialogueKey, path_.cursor, key);
 }
 
 void ChannelRunner::begin_program(StartPermit, ChannelEventKind how, double value,
                                   std::uint64_t record, std::string_view text) noexcept {
     know_positions();
-    ++run_;
-    cut_off_ = false;
+    ++program_.run;
+    program_.cut_off = false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         // its program reads parameters and couplings as they are now
         if (core_.config.axes[a].channel == number_) core_.axes[a].take_limits();
-    state_ = ChannelState::Running;
-    stop_reason_ = StopReason::None;
-    hold_ = hold_later_ = change_due_ = group_ended_ = false;
-    control_ = 0;  // what a program has put off holds to its end
+    program_.enter(ChannelState::Running, StopReason::None);
+    program_.hold_put_off = resume_.change_due = false;
+    program_.brakes.remove(Brake::Hold, Brake::GroupEnd);
+    program_.control = 0;  // what a program has put off holds to its end
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
-    cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = part_from_s_ = 0;
-    lap_ended_ = false;
-    blocks_ = 0;
-    trail_.clear();
+    production_.begin();
+    retrace_.trail.clear();
     if (text.empty()) {  // a block by hand begins no program and no part
-        broken_off_ = 0;
-        hand_ = {};
-        lines_.clear();
+        shown_.broken_off = 0;
+        hand_.block = {};
+        hand_.lines.clear();
         core_.totals.part_begins(index_);
     }
     core_.event(KernelEventKind::CycleStarted, number_);
@@ -205,24 +202,23 @@ void ChannelRunner::begin_program(StartPermit, ChannelEventKind how, double valu
 }
 
 bool ChannelRunner::restart(double block, ChannelSet together, std::uint32_t group) noexcept {
-    if (state_ != ChannelState::Reset && state_ != ChannelState::Ended) {
+    if (!program_.is(ChannelState::Reset) && !program_.is(ChannelState::Ended)) {
         core_.alarm(Alarm::NotReady, number_,
                     "a program is restarted at a block only in reset or after the end");
         return false;
     }
-    if (mode_ != ChannelMode::Auto) {  // the mode is the operator's: a restart does not change it
+    if (program_.mode !=
+        ChannelMode::Auto) {  // the mode is the operator's: a restart does not change it
         core_.alarm(Alarm::NotReady, number_,
                     "a program is restarted at a block only in automatic mode (choose it)");
         return false;
     }
     StartView view = start_view();
     view.others_search = false;
-    view.lacks_program = !selected_;
+    view.lacks_program = !process_.selected;
     const auto permit = permit_of(Door::Restart, view);
     if (!permit) return false;
-    restart_ = RestartState::Searching;
-    restart_group_ = group;
-    restart_complete_ = restart_refused_ = false;
+    restart_.search(group);
     core_.waits.begin_search(index_);
     begin_program(*permit, ChannelEventKind::Restart, block, together | ChannelSet{1} << index_,
                   {});
@@ -231,28 +227,28 @@ bool ChannelRunner::restart(double block, ChannelSet together, std::uint32_t gro
 
 void ChannelRunner::end_restart() noexcept {
     reset();
-    restart_refused_ = !dead_;
+    restart_.refused = !process_.dead();
 }
 
 RestartFate ChannelRunner::restart_fate() const noexcept {
     using Fate = RestartFate;
-    if (!segment_ || dead_) return Fate::Dead;
-    if (resetting_ || state_ == ChannelState::Reset) return Fate::Reset;
-    if (interrupted_) return Fate::Alarm;
-    if (!program_runs()) return Fate::Ended;
-    return restart_ == RestartState::Searching ? Fate::Searching
-           : restart_ == RestartState::AtBlock ? Fate::AtBlock
-                                               : Fate::Started;
+    if (!process_.segment || process_.dead()) return Fate::Dead;
+    if (program_.resets() || program_.is(ChannelState::Reset)) return Fate::Reset;
+    if (program_.interrupted()) return Fate::Alarm;
+    if (!program_.runs()) return Fate::Ended;
+    return restart_.stage == RestartState::Searching ? Fate::Searching
+           : restart_.stage == RestartState::AtBlock ? Fate::AtBlock
+                                                     : Fate::Started;
 }
 
 bool ChannelRunner::allow_jog_in_hold() noexcept {
-    if (state_ != ChannelState::Held || !at_rest()) return false;
+    if (!program_.is(ChannelState::Held) || !at_rest()) return false;
     step_aside();
     return true;
 }
 
 void ChannelRunner::step_aside() noexcept {
-    if (std::exchange(jog_in_hold_, true)) return;
+    if (std::exchange(resume_.aside, true)) return;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (core_.config.axes[a].channel == number_ || core_.axes[a].owner == number_)
             // P1: before the event that makes the channel read it
@@ -260,73 +256,69 @@ void ChannelRunner::step_aside() noexcept {
 }
 
 void ChannelRunner::feed_hold() noexcept {
-    start_wanted_ = false;
-    if (state_ == ChannelState::Ended) lines_.stand();  // between two blocks by hand
-    if (control_ & kControlNoHold)
-        hold_later_ = program_runs();
+    resume_.start_wanted = false;
+    if (program_.is(ChannelState::Ended)) hand_.lines.stand();  // between two blocks by hand
+    if (program_.control & kControlNoHold)
+        program_.hold_put_off = program_.runs();
     else
         safe_hold();
 }
 
 void ChannelRunner::safe_hold() noexcept {
-    if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) hold_ = true;
+    if (program_.drives()) program_.brake_for(Brake::Hold);
 }
 
 void ChannelRunner::reset() noexcept {
-    if (!segment_) return;
-    cut_off_ = restart_refused_ = false;
-    if (dead_ || stopped_) {  // nothing to report; a successor attaches in reset state
-        alarm_ = false;
+    if (!process_.segment) return;
+    program_.cut_off = restart_.refused = false;
+    if (process_.dead() ||
+        process_.frozen()) {  // nothing to report; a successor attaches in reset state
+        program_.alarm = false;
         return;
     }
-    resetting_ = true;
+    program_.brake_for(Brake::Reset);
 }
 
 // The path rests: what was pushed and not executed is void, the channel begins again behind it.
 void ChannelRunner::finish_reset() noexcept {
-    resetting_ = false;
+    program_.release(Brake::Reset);
     core_.tools.forget(index_);
     core_.tools.end_search(index_);
     core_.waits.leave(index_);
-    ++run_;
-    const bool ran = program_runs() || state_ == ChannelState::Interrupted;
+    ++program_.run;
+    const bool ran = program_.runs() || program_.is(ChannelState::Interrupted);
     const std::uint64_t not_begun = first_not_begun();
-    ++epoch_;
-    ++resets_;
+    ++path_.epoch;
+    ++program_.reset_count;
     begin_behind_all();
-    step_ = {};
-    step_.record = cursor_;
-    flying_ = let_pass_ = early_ = kNoRecord;
-    owes_rendezvous_ = false;
-    cut_ = {};
-    phase_ = Phase::None;
-    at_boundary_ = true;
-    thread_moving_ = thread_committed_ = false;
-    retract_.clear();
-    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ =
-        emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ =
-            group_ended_ = false;
-    control_ = 0;
+    path_.step = {};
+    path_.step.record = path_.cursor;
+    path_.flying = path_.let_pass = standing_.handshake.early = kNoRecord;
+    standing_.wait.owed = false;
+    path_.cut = {};
+    standing_.phase = Phase::None;
+    path_.at_boundary = true;
+    thread_.empty();
+    thread_.retract.clear();
+    standing_.begun = standing_.goes_on = standing_.wait.released = standing_.wait.passing =
+        standing_.skip.ending = standing_.handshake.unfinished = interrupts_.on = interrupts_.due =
+            program_.alarm = program_.hold_put_off = false;
+    program_.brakes.remove(Brake::Hold, Brake::Alarm, Brake::Emergency, Brake::GroupEnd);
+    program_.control = 0;
     release_stops();
-    superposed_from_ = 0;
+    path_.superposed_from = 0;
     core_.signals.set_nc(signals::cn_balance(number_), 0);
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
-    asked_for_ = BackFor::Change;
-    change_due_ = start_wanted_ = held_mdi_ = program_left_ = false;
-    lines_.broken_off();
-    hand_ = {};
-    question_ = ahead_asked_ = 0;
-    ahead_ = kNoRecord;
-    restart_ = RestartState::None;
-    trail_.clear();
-    retrace_ = 0;
-    on_trail_ = came_back_ = false;
-    meeting_ = 0;
+    resume_.clear();
+    hand_.lines.broken_off();
+    hand_.block = {};
+    interrupts_.nothing_ahead();
+    restart_.stage = RestartState::None;
+    retrace_.forget();
     // «Stop after this part»: what was to follow is void, but the program has come to its end.
     const StopReason why =
-        std::exchange(ends_with_part_, false) ? StopReason::End : StopReason::Reset;
-    state_ = why == StopReason::End ? ChannelState::Ended : ChannelState::Reset;
-    stop_reason_ = why;
+        std::exchange(production_.ends_with_part, false) ? StopReason::End : StopReason::Reset;
+    program_.enter(why == StopReason::End ? ChannelState::Ended : ChannelState::Reset, why);
     for (SpindleUnit& spindle : core_.spindles)
         if (spindle.locked_by == number_) {
             spindle.locked_by = 0;
@@ -334,29 +326,29 @@ void ChannelRunner::finish_reset() noexcept {
         }
     for (AxisUnit& axis : core_.axes)
         if (axis.owner == number_) axis.owner = 0;
-    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(why), 0, line_);
+    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(why), 0, shown_.line);
     if (ran)
-        core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(why), cycle_s_,
-                    line_);
-    if (ran && why == StopReason::Reset && mode_ == ChannelMode::Auto) broken_off_ = line_;
-    line_ = 0;
-    tell(ChannelEventKind::Reset, cursor_, static_cast<double>(not_begun));
+        core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(why),
+                    production_.times.cycle_s, shown_.line);
+    if (ran && why == StopReason::Reset && program_.mode == ChannelMode::Auto)
+        shown_.broken_off = shown_.line;
+    shown_.line = 0;
+    tell(ChannelEventKind::Reset, path_.cursor, static_cast<double>(not_begun));
 }
 
 void ChannelRunner::select(std::string_view file, double language) noexcept {
-    if (!segment_ || dead_) return;
-    if (program_runs()) {
+    if (!process_.segment || process_.dead()) return;
+    if (program_.runs()) {
         core_.alarm(Alarm::NotReady, number_,
                     "another program is selected only in reset or after the end");
         return;
     }
-    cycles_ = 0;
-    cycles_s_ = last_cycle_s_ = 0;
-    selected_ = !file.empty();
-    restart_refused_ = false;
-    broken_off_ = 0;
-    job_language_ = static_cast<Dialect>(language);
-    tell(ChannelEventKind::SelectProgram, cursor_, language, file);
+    production_.forget_cycles();
+    process_.selected = !file.empty();
+    restart_.refused = false;
+    shown_.broken_off = 0;
+    process_.language = static_cast<Dialect>(language);
+    tell(ChannelEventKind::SelectProgram, path_.cursor, language, file);
 }
 
 // START of another channel's program. One that runs already, or is held, goes on as it is.
@@ -364,7 +356,7 @@ void ChannelRunner::start_program() noexcept {
     if (!idle()) return;
     // the selected program is meant, not the block that was entered last; the mode is the
     // operator's
-    if (mode_ == ChannelMode::Mdi) {
+    if (program_.mode == ChannelMode::Mdi) {
         core_.alarm(
             Alarm::NotReady, number_,
             "the program of another channel was to start this one, whose mode is MDI (choose automatic)");
@@ -374,84 +366,86 @@ void ChannelRunner::start_program() noexcept {
 }
 
 void ChannelRunner::set_mode(ChannelMode mode, bool for_block) noexcept {
-    if (mode == mode_) return;
+    if (mode == program_.mode) return;
     // of this very tick: it comes first, as it was pressed
-    if (resetting_ && at_rest()) finish_reset();
+    if (program_.resets() && at_rest()) finish_reset();
     // a block for which it was meant says itself why it does not run, or runs in the hold
-    if (program_runs()) {
+    if (program_.runs()) {
         if (!for_block)
             core_.alarm(Alarm::NotReady, number_,
                         "the mode is changed only in reset or after the end (press reset)", 0,
-                        line_);
+                        shown_.line);
         return;
     }
-    lines_.clear();  // a block of before is not what a start in MDI means
-    mode_ = mode;
+    hand_.lines.clear();  // a block of before is not what a start in MDI means
+    program_.mode = mode;
 }
 
 void ChannelRunner::quit() noexcept {
-    if (segment_ && !dead_) tell(ChannelEventKind::Quit, cursor_);
+    if (process_.segment && !process_.dead()) tell(ChannelEventKind::Quit, path_.cursor);
 }
 
 void ChannelRunner::process_died(Alarm reason, std::string_view detail) noexcept {
-    if (!segment_ || dead_) return;
+    if (!process_.segment || process_.dead()) return;
     // limit_ is what was visible at this tick: records beyond the horizon do not exist.
-    dead_ = true;
-    alarm_ = true;
+    process_.life = ProcessLink::Life::Dead;
+    program_.alarm = true;
     // its program is gone and cannot restore the override: a spindle that still turns obeys the
     // override
-    control_ = 0;
-    rest_reported_ = false;
+    program_.control = 0;
     core_.waits.leave(index_);
-    ++run_;
-    const bool ran = program_runs();
-    cut_off_ = cut_off_ || ran || state_ == ChannelState::Interrupted;
-    state_ = ChannelState::Dead;
-    stop_reason_ = StopReason::Death;
-    core_.alarm(reason, number_, detail.empty() ? name_of('L', index_).view() : detail, 0, line_);
+    ++program_.run;
+    const bool ran = program_.runs();
+    program_.cut_off = program_.cut_off || ran || program_.is(ChannelState::Interrupted);
+    program_.enter(ChannelState::Dead, StopReason::Death);
+    core_.alarm(reason, number_, detail.empty() ? name_of('L', index_).view() : detail, 0,
+                shown_.line);
     if (ran)
         core_.event(KernelEventKind::CycleEnded, number_,
-                    static_cast<std::int32_t>(StopReason::Death), cycle_s_, line_);
+                    static_cast<std::int32_t>(StopReason::Death), production_.times.cycle_s,
+                    shown_.line);
 }
 
 void ChannelRunner::process_stopped(bool stopped) noexcept {
-    if (!segment_ || dead_) return;
-    stopped_ = stopped;
-    stopped_since_ = core_.tick;
+    if (!process_.segment || process_.dead()) return;
+    process_.life = stopped ? ProcessLink::Life::Frozen : ProcessLink::Life::Live;
+    process_.stopped_since = core_.tick;
 }
 
 bool ChannelRunner::silent_too_long() const noexcept {
-    return stopped_ && !dead_ &&
-           static_cast<double>(core_.tick - stopped_since_) * core_.config.tick_s >=
+    return process_.frozen() &&
+           static_cast<double>(core_.tick - process_.stopped_since) * core_.config.tick_s >=
                core_.config.channel_timeout_s;
 }
 
 void ChannelRunner::emergency() noexcept {
-    emergency_ = true;
+    program_.brake_for(Brake::Emergency);
     interrupt();
 }
 
 void ChannelRunner::release_wait(Permit) noexcept {
-    if (passing_) trail_.met(core_.meetings);
-    passing_ = false;
-    if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;
-    if (std::exchange(owes_rendezvous_, false)) return trail_.met(core_.meetings);
-    if (phase_ != Phase::Waiting) return;
-    meeting_ = core_.meetings;
-    released_ = true;
+    if (standing_.wait.passing) retrace_.trail.met(core_.meetings);
+    standing_.wait.passing = false;
+    if (program_.is(ChannelState::Waiting)) program_.enter(ChannelState::Running);
+    if (std::exchange(standing_.wait.owed, false)) return retrace_.trail.met(core_.meetings);
+    if (standing_.phase != Phase::Waiting) return;
+    retrace_.meeting = core_.meetings;
+    standing_.wait.released = true;
 }
 
 WaitBoard::Standing ChannelRunner::standing() const noexcept {
-    const bool over = state_ == ChannelState::Reset || state_ == ChannelState::Ended;
-    return {run_, program_runs() && !interrupted_ && !dead_ && !resetting_,
-            (keys & kKeyDryRun) != 0, over && !cut_off_};
+    const bool over = program_.begins();
+    return {program_.run,
+            program_.runs() && !program_.interrupted() && !process_.dead() && !program_.resets(),
+            (panel_.keys & kKeyDryRun) != 0, over && !program_.cut_off};
 }
 
 // It executes blocks towards its target: during a block search, or a block entered by hand, it does
 // not rendezvous with channels that cut.
 WaitBoard::Phase ChannelRunner::wait_phase() const noexcept {
-    if (restart_ == RestartState::Searching) return {WaitBoard::Kind::Search, restart_group_};
-    return {mode_ == ChannelMode::Mdi || held_mdi_ ? WaitBoard::Kind::ByHand : WaitBoard::Kind::Cut,
+    if (restart_.stage == RestartState::Searching) return {WaitBoard::Kind::Search, restart_.group};
+    return {program_.mode == ChannelMode::Mdi || resume_.runs_by_hand() ? WaitBoard::Kind::ByHand
+                                                                        : WaitBoard::Kind::Cut,
             0};
 }
 
@@ -459,18 +453,18 @@ WaitBoard::Phase ChannelRunner::wait_phase() const noexcept {
 void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
     // Its partner stopped between releasing this channel and its arrival: the channel stops as soon
     // as it can and waits there.
-    if (std::exchange(passing_, false)) {
-        owes_rendezvous_ = true;
-        wait_since_ = core_.tick;
-        warned_ = 0;
-        judged_ = false;
+    if (std::exchange(standing_.wait.passing, false)) {
+        standing_.wait.owed = true;
+        standing_.wait.begin(core_.tick);
     }
-    if (owes_rendezvous_ && state_ == ChannelState::Running && at_rest() && !hold_ && !interrupted_)
-        state_ = ChannelState::Waiting;
-    if ((phase_ != Phase::Waiting && !owes_rendezvous_) || released_ || interrupted_ || resetting_)
+    if (standing_.wait.owed && program_.is(ChannelState::Running) && at_rest() &&
+        !program_.holds() && !program_.interrupted())
+        program_.enter(ChannelState::Waiting);
+    if ((standing_.phase != Phase::Waiting && !standing_.wait.owed) || standing_.wait.released ||
+        program_.interrupted() || program_.resets())
         return;
-    if (!judged_) {
-        judged_ = true;
+    if (!standing_.wait.judged) {
+        standing_.wait.judged = true;
         const auto verdict = core_.waits.judge(index_, core_.no_wait());
         if (verdict.fault != WaitBoard::Fault::None) {
             ShortText text;
@@ -491,7 +485,7 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
     for (unsigned k = 0; k < kMaxChannels; ++k) {
         const ChannelSet bit = ChannelSet{1} << k;
         if (!(missing & bit)) continue;
-        if (restart_ == RestartState::Searching && all[k]->at_restart_block()) {
+        if (restart_.stage == RestartState::Searching && all[k]->at_restart_block()) {
             ShortText text;
             describe_wait(text);
             text << ", and L" << k + 1 << " restarts in front of it";
@@ -499,21 +493,22 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
             return;
         }
         if (all[k]->program_runs() && !(unlike & bit)) {
-            warned_ &= ~bit;
+            standing_.wait.warned &= ~bit;
             continue;
         }
-        if (warned_ & bit) continue;
-        warned_ |= bit;
+        if (standing_.wait.warned & bit) continue;
+        standing_.wait.warned |= bit;
         ShortText text;
         text << "L" << k + 1 << " (";
         write_code(text);
         text << ")";
         if (unlike & bit)
             text << why_unlike(core_.waits.phase(index_).kind, core_.waits.phase(k).kind);
-        core_.alarm(Alarm::WaitPartnerAbsent, number_, text.view(), 0, line_);
+        core_.alarm(Alarm::WaitPartnerAbsent, number_, text.view(), 0, shown_.line);
     }
     const double limit = core_.config.channels[index_].wait_timeout_s;
-    if (limit > 0 && static_cast<double>(core_.tick - wait_since_) * core_.config.tick_s >= limit) {
+    if (limit > 0 &&
+        static_cast<double>(core_.tick - standing_.wait.since) * core_.config.tick_s >= limit) {
         ShortText text;
         describe_wait(text);
         text << ", missing ";
@@ -538,7 +533,7 @@ void ChannelRunner::describe_wait(ShortText& text) noexcept {
     text << "L" << number_ << " ";
     const std::string_view name = program();
     if (!name.empty()) text << name;
-    text << ":" << line_ << " ";
+    text << ":" << shown_.line << " ";
     write_code(text);
     text << " (";
     text.channels(core_.waits.at(index_).set);

@@ -14,7 +14,7 @@ bool ChannelRunner::begin_positioning(const PathRecord& r) noexcept {
     if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return true;
     const auto step = static_cast<PositioningStep>(r.code);
     if ((step == PositioningStep::Begin || step == PositioningStep::Room) &&
-        !positioning_program_.has_room())
+        !positioning_.has_room())
         return false;
     if (step == PositioningStep::Room) return true;
     if (step != PositioningStep::Plain) {
@@ -56,9 +56,9 @@ void ChannelRunner::take_step(const PathRecord& r) noexcept {
     task.note = r.note;
     if (task.note) report_step(KernelEventKind::RecordBegin, task, kStepHandedOver);
     if (task.what == PositioningStep::Begin &&
-        positioning_program_.started() >= PositioningProgram::kMostStarted)
+        positioning_.started() >= PositioningProgram::kMostStarted)
         raise(Alarm::BStartsTooMany, {}, PositioningProgram::kMostStarted);
-    else if (!positioning_program_.put(task))
+    else if (!positioning_.put(task))
         raise(Alarm::BMemoryFull);
 }
 
@@ -66,11 +66,11 @@ void ChannelRunner::take_step(const PathRecord& r) noexcept {
 bool ChannelRunner::runs_positioning(std::uint32_t axis) const noexcept {
     const std::uint32_t whose = core_.positioning_turn[axis].channel;
     return (core_.axes[axis].beside && (whose == 0 || whose == number_)) ||
-           positioning_program_.moves(axis);
+           positioning_.moves(axis);
 }
 
 void ChannelRunner::queue_up() noexcept {
-    const PositioningTask* const task = positioning_program_.now();
+    const PositioningTask* const task = positioning_.now();
     if (!task || task->what != PositioningStep::Begin) return;
     Core::PositioningTurn& turn = core_.positioning_turn[task->axis];
     turn.first = std::min(turn.first, task->turn);
@@ -81,12 +81,12 @@ bool ChannelRunner::takes_axis(const PositioningTask& task) noexcept {
     Core::PositioningTurn& turn = core_.positioning_turn[task.axis];
     if (turn.channel != 0 || turn.first < task.turn || !axis_enabled(task.axis)) return false;
     turn.channel = number_;
-    positioning_program_.base = core_.axes[task.axis].own();
+    positioning_.base = core_.axes[task.axis].own();
     return true;
 }
 
 void ChannelRunner::leave_axis() noexcept {
-    Core::PositioningTurn& turn = core_.positioning_turn[positioning_program_.axis()];
+    Core::PositioningTurn& turn = core_.positioning_turn[positioning_.axis()];
     if (turn.channel == number_) turn.channel = 0;
 }
 
@@ -98,30 +98,30 @@ bool ChannelRunner::axis_enabled(std::uint32_t axis) noexcept {
 
 // One step at a time; several that take no time in one tick.
 void ChannelRunner::run_steps() noexcept {
-    if (!positioning_program_.busy()) return;
-    if (!program_runs() || breaks_off_positioning()) {
+    if (!positioning_.busy()) return;
+    if (!program_.runs() || breaks_off_positioning()) {
         leave_axis();
-        return positioning_program_.clear();
+        return positioning_.clear();
     }
-    if (const std::uint32_t axis = positioning_program_.axis();
+    if (const std::uint32_t axis = positioning_.axis();
         core_.signals.plc(signals::ap_paxrst(axis + 1u))) {
         leave_axis();
-        limited_axis_ = axis;
-        return positioning_program_.drop();
+        axes_.limited = axis;
+        return positioning_.drop();
     }
     constexpr int kMostInATick = 8;
     for (int k = 0; k < kMostInATick; ++k) {
-        const PositioningTask* const task = positioning_program_.now();
+        const PositioningTask* const task = positioning_.now();
         if (!task || !step_done(*task)) return;
         // a move's is reported by the axis
         if (task->note && task->what != PositioningStep::Move)
             report_step(KernelEventKind::RecordEnd, *task);
-        positioning_program_.next();
+        positioning_.next();
     }
 }
 
 bool ChannelRunner::step_done(const PositioningTask& task) noexcept {
-    PositioningProgram& program = positioning_program_;
+    PositioningProgram& program = positioning_;
     const bool begins = !program.begun;
     switch (task.what) {
         case PositioningStep::Begin:
@@ -170,10 +170,10 @@ bool ChannelRunner::give_function(const PositioningTask& task) noexcept {
     const std::uint32_t a = task.axis + 1u;
     const bool answered =
         core_.signals.plc(signals::ap_paxffin(a)) == core_.signals.nc(signals::an_paxfstr(a));
-    if (positioning_program_.begun) return answered;
+    if (positioning_.begun) return answered;
     if (!answered) return false;  // a code that a reset has left to the PLC
     if (task.note) report_step(KernelEventKind::RecordBegin, task);
-    positioning_program_.begun = true;
+    positioning_.begun = true;
     core_.signals.set_nc(signals::an_paxflet(a), task.letter);
     core_.signals.set_nc(signals::an_paxfcode(a),
                          static_cast<std::int32_t>(std::lround(task.value)));
@@ -193,9 +193,9 @@ void ChannelRunner::report_step(KernelEventKind kind, const PositioningTask& tas
 
 bool ChannelRunner::holds_positioning() const noexcept {
     const bool plc_stops =
-        core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop);
-    return plc_stops || hold_ || state_ == ChannelState::Held ||
-           (handwheel_ && handwheel_rate_ <= 0);
+        core_.signals.plc(signals::cp_stop(number_)) && !(program_.control & kControlNoPlcStop);
+    return plc_stops || program_.holds() || program_.is(ChannelState::Held) ||
+           retrace_.wheel.holds();
 }
 
 // Axes rest at their targets; spindles are in position, or have the speed or the standstill that
@@ -210,10 +210,10 @@ bool ChannelRunner::await(const PathRecord& r) noexcept {
         if (s >= kMaxSpindles || !core_.spindles[s].exists()) continue;
         // The PLC may still be at the code that positions it, and what it said acts with the next
         // tick.
-        if (unfinished_ && core_.signals.plc(signals::cp_mfin(number_)) !=
-                               core_.signals.nc(signals::cn_mstr(number_)))
+        if (standing_.handshake.unfinished && core_.signals.plc(signals::cp_mfin(number_)) !=
+                                                  core_.signals.nc(signals::cn_mstr(number_)))
             return false;
-        if (core_.tick < phase_since_ + 2) return false;
+        if (core_.tick < standing_.since + 2) return false;
         const SpindleUnit& spindle = core_.spindles[s];
         const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s + 1));
         if (refuses_detached(s + 1)) return false;
@@ -233,7 +233,7 @@ bool ChannelRunner::await(const PathRecord& r) noexcept {
 bool ChannelRunner::limit_torque(const PathRecord& r) noexcept {
     if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return true;
     const std::uint32_t a = r.axis[0];
-    if (phase_ != Phase::Released) {
+    if (standing_.phase != Phase::Released) {
         core_.program_torque[a] = static_cast<std::uint16_t>(std::clamp(r.value, 0.0, 1000.0));
         core_.program_window[a] = r.value > 0 ? r.shape[0] : 0.0;
         // a new window is around its position
@@ -241,10 +241,10 @@ bool ChannelRunner::limit_torque(const PathRecord& r) noexcept {
             core_.axes[a].pressed_at = core_.axes[a].measured();
         if (r.value > 0) return true;
         allow_torque(nullptr);  // the move that ended here is over
-        phase_ = Phase::Released;
+        standing_.phase = Phase::Released;
         return false;
     }
-    return core_.tick > phase_since_ + 1 && !core_.axes[a].pressing && !core_.axes[a].beside &&
+    return core_.tick > standing_.since + 1 && !core_.axes[a].pressing && !core_.axes[a].beside &&
            !core_.axes[a].moving();
 }
 
@@ -259,8 +259,8 @@ void ChannelRunner::release_stops() noexcept {
 // Axes that have no reference point yet find it as reference mode would do it; the others stay
 // where they are.
 bool ChannelRunner::find_reference(const PathRecord& r) noexcept {
-    const bool begins = phase_ != Phase::Home;
-    phase_ = Phase::Home;
+    const bool begins = standing_.phase != Phase::Home;
+    standing_.phase = Phase::Home;
     bool all = true;
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         const std::uint32_t a = r.axis[i];
@@ -280,16 +280,19 @@ bool ChannelRunner::find_reference(const PathRecord& r) noexcept {
 }
 
 void ChannelRunner::superpose(bool on) noexcept {
-    if (on && !superposes() && planner_) superposed_from_ = planner_->next_record();
-    pressed_keys = on ? pressed_keys | kKeySuperpose
-                      : pressed_keys & ~static_cast<std::uint32_t>(kKeySuperpose);
+    if (on && !superposes() && path_.planner) path_.superposed_from = path_.planner->next_record();
+    panel_.pressed = on ? panel_.pressed | kKeySuperpose
+                        : panel_.pressed & ~static_cast<std::uint32_t>(kKeySuperpose);
 }
 
 bool ChannelRunner::leaves_room() const noexcept {
-    if (!superposes() || thread_moving_ || phase_ == Phase::Thread) return false;
-    if (at_rest()) return cursor_ >= superposed_from_ || planner_->next_record() == cursor_;
-    return cursor_ >= superposed_from_ &&
-           !(cursor_ < visible_end_ && (record(cursor_).flags & (kThread | kTapping)));
+    if (!superposes() || thread_.moving() || standing_.phase == Phase::Thread) return false;
+    if (at_rest())
+        return path_.cursor >= path_.superposed_from ||
+               path_.planner->next_record() == path_.cursor;
+    return path_.cursor >= path_.superposed_from &&
+           !(path_.cursor < path_.visible_end &&
+             (record(path_.cursor).flags & (kThread | kTapping)));
 }
 
 }  // namespace polyturn::kernel

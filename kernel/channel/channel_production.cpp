@@ -12,7 +12,7 @@ namespace polyturn::kernel {
 // with it.
 void ChannelRunner::part_made() noexcept {
     if (by_hand()) return;  // M99 or M30 in a block by hand ends that
-    ++parts_;
+    ++production_.parts;
     end_lap();
     core_.totals.part(index_);
     core_.tools.part(core_, index_);
@@ -23,22 +23,15 @@ void ChannelRunner::part_made() noexcept {
         ShortText text;
         text << static_cast<std::int64_t>(core_.totals.machined(index_)) << "/"
              << static_cast<std::int64_t>(config.parts_wanted);
-        core_.alarm(Alarm::PartsDone, number_, text.view(), 0, line_);
+        core_.alarm(Alarm::PartsDone, number_, text.view(), 0, shown_.line);
     }
-    const bool last = std::exchange(stop_after_part_, false);
+    const bool last = std::exchange(production_.stops_after_part, false);
     // if more is to follow: finished()
-    ends_with_part_ = last || (enough && config.stops_at_wanted);
+    production_.ends_with_part = last || (enough && config.stops_at_wanted);
 }
 
-// A part, or a program that counts none, is over: how long it took.
 void ChannelRunner::end_lap() noexcept {
-    const double took_s = cycle_s_ - part_from_s_;
-    if (took_s <= 0 || by_hand()) return;
-    lap_ended_ = true;
-    part_from_s_ = cycle_s_;
-    last_cycle_s_ = took_s;
-    cycles_s_ += took_s;
-    ++cycles_;
+    if (!by_hand()) production_.end_lap();
 }
 
 // #3901 and #3902 are N2307 and N2308 (nct_parameters_part2 24): a program that writes them sets
@@ -56,7 +49,7 @@ bool ChannelRunner::part_counter(std::string_view variable, double value) noexce
     return true;
 }
 
-void ChannelRunner::warm_up(double seconds) noexcept { warm_up_s_ = seconds; }
+void ChannelRunner::warm_up(double seconds) noexcept { production_.warm_up_s = seconds; }
 
 // Once a tick.
 void ChannelRunner::watch_production() noexcept {
@@ -64,12 +57,14 @@ void ChannelRunner::watch_production() noexcept {
     core_.signals.set_nc(
         signals::cn_parts(number_),
         config.parts_wanted > 0 && core_.totals.machined(index_) >= config.parts_wanted);
-    if (warm_up_s_ <= 0 || !program_runs() || cycle_s_ < warm_up_s_) return;
+    if (production_.warm_up_s <= 0 || !program_.runs() ||
+        production_.times.cycle_s < production_.warm_up_s)
+        return;
     ShortText text;
-    text << static_cast<std::int64_t>(warm_up_s_) << " s";
-    warm_up_s_ = 0;
-    stop_after_part_ = true;
-    core_.alarm(Alarm::WarmUpOver, number_, text.view(), 0, line_);
+    text << static_cast<std::int64_t>(production_.warm_up_s) << " s";
+    production_.warm_up_s = 0;
+    production_.stops_after_part = true;
+    core_.alarm(Alarm::WarmUpOver, number_, text.view(), 0, shown_.line);
 }
 
 // Setup mode: no axis of the path is faster than its PT_SETUP_FEED.
@@ -82,8 +77,8 @@ double ChannelRunner::setup_ceiling() const noexcept {
             ceiling = std::min(ceiling, axis.setup_feed);
     }
     // Turning axes have their own share of the running record.
-    if (cursor_ < planner_->next_record()) {
-        const PathRecord& r = record(cursor_);
+    if (path_.cursor < path_.planner->next_record()) {
+        const PathRecord& r = record(path_.cursor);
         for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i) {
             if (r.axis[i] >= kMaxAxes || !core_.config.axes[r.axis[i]].rotary) continue;
             const double way = std::fabs(r.end[i] - r.start[i]);

@@ -13,12 +13,12 @@ constexpr double kSpindleTimeoutS = 15.0;  // from the end of its ramp on
 }  // namespace
 
 bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
-    if (!segment_ || cursor_ >= visible_end_ || !is_motion(record(cursor_)) ||
-        record(cursor_).spindle != spindle)
+    if (!process_.segment || path_.cursor >= path_.visible_end ||
+        !is_motion(record(path_.cursor)) || record(path_.cursor).spindle != spindle)
         return false;
-    const auto mode = static_cast<FeedMode>(record(cursor_).feed_mode);
-    return thread_moving_ ||
-           (moving_ && !moving_rapid_ && mode == FeedMode::PerRevolution && step_.speed > 0);
+    const auto mode = static_cast<FeedMode>(record(path_.cursor).feed_mode);
+    return thread_.moving() || (path_.moving && !path_.rapid && mode == FeedMode::PerRevolution &&
+                                path_.step.speed > 0);
 }
 
 // A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it
@@ -29,10 +29,10 @@ bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
 // nothing is waited for.
 std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
     if (!(core_.config.channels[index_].feed_needs_spindle ||
-          (control_ & kControlOwnSpindleOverride)) ||
-        !planner_->at_rest() || cursor_ >= planner_->next_record())
+          (program_.control & kControlOwnSpindleOverride)) ||
+        !path_.planner->at_rest() || path_.cursor >= path_.planner->next_record())
         return 0;
-    const PathRecord& r = record(cursor_);
+    const PathRecord& r = record(path_.cursor);
     if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping))) return 0;
     const bool follows =
         static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution && r.spindle != 0;
@@ -48,23 +48,24 @@ std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
 // while the PLC may still be at the code that attaches it again.
 bool ChannelRunner::refuses_detached(std::uint32_t spindle) noexcept {
     if (!core_.signals.plc(signals::sp_sdetchr(spindle))) return false;
-    const double waited_s =
-        static_cast<double>(
-            core_.tick -
-            std::max(phase_ == Phase::None ? stands_since_ : phase_since_, std::int64_t{0})) *
-        core_.config.tick_s;
+    const double waited_s = static_cast<double>(core_.tick - std::max(standing_.phase == Phase::None
+                                                                          ? axes_.stands_since
+                                                                          : standing_.since,
+                                                                      std::int64_t{0})) *
+                            core_.config.tick_s;
     if (waited_s < 3.0 * static_cast<double>(core_.config.plc_cycle_ticks) * core_.config.tick_s)
         return false;
-    if (!interrupted_) raise(Alarm::SpindleDetached, name_of('S', spindle - 1).view());
+    if (!program_.interrupted()) raise(Alarm::SpindleDetached, name_of('S', spindle - 1).view());
     return true;
 }
 
 // A C axis whose drive is a spindle now: the path waits while that stops, and is refused when it
 // turns, or when the spindle has turned the axis since the program last looked where it is.
 bool ChannelRunner::waits_for_drive() noexcept {
-    if (!planner_->at_rest() || cursor_ >= planner_->next_record() || !is_motion(record(cursor_)))
+    if (!path_.planner->at_rest() || path_.cursor >= path_.planner->next_record() ||
+        !is_motion(record(path_.cursor)))
         return false;
-    const PathRecord& r = record(cursor_);
+    const PathRecord& r = record(path_.cursor);
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (r.axis[i] >= kMaxAxes || (r.start[i] == r.end[i] && r.transform == 0)) continue;
         const std::uint32_t s = core_.config.axes[r.axis[i]].on_spindle;
@@ -95,14 +96,15 @@ void ChannelRunner::know_positions() noexcept {
 // The path is at standstill though a program runs: must the reason be reported to the operator?
 void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
     // nothing was driven meanwhile: this standstill begins now
-    if (core_.tick > watched_ + 1) stands_since_ = core_.tick;
-    watched_ = core_.tick;
-    if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
-        stands_since_ = core_.tick;
+    if (core_.tick > axes_.watched + 1) axes_.stands_since = core_.tick;
+    axes_.watched = core_.tick;
+    if (path_.step.stands != Stands::NoFeed && path_.step.stands != Stands::InPosition) {
+        axes_.stands_since = core_.tick;
         return;
     }
-    const double stood_s = static_cast<double>(core_.tick - stands_since_) * core_.config.tick_s;
-    if (step_.stands == Stands::InPosition) {
+    const double stood_s =
+        static_cast<double>(core_.tick - axes_.stands_since) * core_.config.tick_s;
+    if (path_.step.stands == Stands::InPosition) {
         const double limit = core_.config.channels[index_].in_position_timeout_s;
         if (limit > 0 && stood_s > limit) raise_not_in_position();
         return;
@@ -110,7 +112,7 @@ void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
     if (const std::uint32_t number = awaited_spindle()) {
         if (refuses_detached(number)) return;
         const SpindleUnit& waited = core_.spindles[number - 1];
-        if (waited.ramping()) stands_since_ = core_.tick;
+        if (waited.ramping()) axes_.stands_since = core_.tick;
         if (waited.command() != 0.0 && stood_s > kSpindleTimeoutS)
             return raise(Alarm::SpindleTooSlow, name_of('S', number - 1).view(),
                          waited.shown_speed());
@@ -131,16 +133,16 @@ void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
 }
 
 bool ChannelRunner::axes_in_position() const noexcept {
-    for (std::uint32_t i = 0; i < last_axis_count_; ++i)
-        if (!core_.axes[last_axes_[i]].in_position()) return false;
+    for (std::uint32_t i = 0; i < axes_.last_count; ++i)
+        if (!core_.axes[axes_.last[i]].in_position()) return false;
     return true;
 }
 
 void ChannelRunner::raise_not_in_position() noexcept {
-    for (std::uint32_t i = 0; i < last_axis_count_; ++i)
-        if (!core_.axes[last_axes_[i]].in_position())
-            return raise(Alarm::NotInPosition, name_of('A', last_axes_[i]).view(),
-                         core_.axes[last_axes_[i]].error());
+    for (std::uint32_t i = 0; i < axes_.last_count; ++i)
+        if (!core_.axes[axes_.last[i]].in_position())
+            return raise(Alarm::NotInPosition, name_of('A', axes_.last[i]).view(),
+                         core_.axes[axes_.last[i]].error());
 }
 
 // Along the path no axis may brake harder than its own emergency deceleration.

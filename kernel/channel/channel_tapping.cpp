@@ -37,12 +37,12 @@ bool ChannelRunner::place_spindle(const PathRecord& r, double s) noexcept {
         return false;
     }
     SpindleUnit& spindle = core_.spindles[number];
-    if (tapped_ != cursor_record_) {  // a new move begins where the last one ended
-        tapped_ = cursor_record_;
-        tap_from_ = spindle.position();
+    if (axes_.tapped != axes_.record) {  // a new move begins where the last one ended
+        axes_.tapped = axes_.record;
+        axes_.tap_from = spindle.position();
     }
     spindle.tapping(true, r.value != 0);
-    spindle.interpolate(tap_from_ + r.end[r.axis_count] * s / r.length);
+    spindle.interpolate(axes_.tap_from + r.end[r.axis_count] * s / r.length);
     return true;
 }
 

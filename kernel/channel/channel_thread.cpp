@@ -14,19 +14,20 @@ constexpr double kDegPerSecOfRpm = 6.0;
 // All of it is visible and planned: it can be driven to its end whatever happens to the channel.
 // False: not yet.
 bool ChannelRunner::commit_thread() noexcept {
-    const std::uint64_t most = cursor_ + kThreadRecords;
-    for (std::uint64_t i = cursor_; i < std::min(planner_->next_record(), most); ++i) {
+    const std::uint64_t most = path_.cursor + kThreadRecords;
+    for (std::uint64_t i = path_.cursor; i < std::min(path_.planner->next_record(), most); ++i) {
         if (!(record(i).flags & kThreadEnd)) continue;
-        thread_->clear(cursor_);
-        for (std::uint64_t k = cursor_; k <= i; ++k)
-            if (!is_motion(record(k)) || !thread_->append(record(k))) {
+        thread_.follower->clear(path_.cursor);
+        for (std::uint64_t k = path_.cursor; k <= i; ++k)
+            if (!is_motion(record(k)) || !thread_.follower->append(record(k))) {
                 raise(Alarm::RecordInvalid, "thread");
                 return false;
             }
-        thread_end_ = i;
+        thread_.end = i;
         return true;
     }
-    if (planner_->next_record() >= most) raise(Alarm::RecordInvalid, "a thread of too many steps");
+    if (path_.planner->next_record() >= most)
+        raise(Alarm::RecordInvalid, "a thread of too many steps");
     return false;
 }
 
@@ -39,7 +40,8 @@ bool ChannelRunner::thread_may_start(const PathRecord& r) noexcept {
     if (refuses_detached(r.spindle)) return false;
     SpindleUnit& spindle = core_.spindles[r.spindle - 1];
     if (spindle.command() == 0.0) {
-        const double stood_s = static_cast<double>(core_.tick - phase_since_) * core_.config.tick_s;
+        const double stood_s =
+            static_cast<double>(core_.tick - standing_.since) * core_.config.tick_s;
         const double grace_s =
             3.0 * static_cast<double>(core_.config.plc_cycle_ticks) * core_.config.tick_s;
         if (stood_s > grace_s)
@@ -47,7 +49,7 @@ bool ChannelRunner::thread_may_start(const PathRecord& r) noexcept {
         return false;
     }
     double allowed_rpm = kUnlimited, lead = 0;
-    for (std::uint64_t i = cursor_; i <= thread_end_; ++i) {
+    for (std::uint64_t i = path_.cursor; i <= thread_.end; ++i) {
         const PathRecord& piece = record(i);
         const double end_lead = std::sqrt(
             std::max(0.0, piece.lead * piece.lead + 2.0 * piece.lead_change * piece.length));
@@ -67,22 +69,25 @@ bool ChannelRunner::thread_may_start(const PathRecord& r) noexcept {
 
 // True when the thread is done and the path is stopped behind it.
 bool ChannelRunner::thread(double& left) noexcept {
-    if (phase_ != Phase::Thread) {
-        phase_ = Phase::Thread;
-        thread_moving_ = thread_committed_ = false;
-        retract_.clear();
+    if (standing_.phase != Phase::Thread) {
+        standing_.phase = Phase::Thread;
+        thread_.empty();
+        thread_.retract.clear();
     }
-    const PathRecord& first = record(cursor_);
+    const PathRecord& first = record(path_.cursor);
     // held out of the thread: back to where the pass begins
-    if (retract_.out()) {
+    if (thread_.retract.out()) {
         go_back(first);
         return false;
     }
-    if (!thread_moving_) {
-        if (hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop ||
-            state_ != ChannelState::Running)
+    if (!thread_.moving()) {
+        if (program_.holds() || program_.interrupted() || program_.resets() || process_.dead() ||
+            core_.all_stop || !program_.is(ChannelState::Running))
             return false;
-        if (!thread_committed_ && !(thread_committed_ = commit_thread())) return false;
+        if (!thread_.committed()) {
+            if (!commit_thread()) return false;
+            thread_.stage = ThreadExecutor::Stage::Committed;
+        }
         if (!thread_may_start(first)) return false;
         SpindleUnit& spindle = core_.spindles[first.spindle - 1];
         spindle.override_locked = true;
@@ -95,47 +100,46 @@ bool ChannelRunner::thread(double& left) noexcept {
     input.acceleration = seen.acceleration();
     input.speed = seen.speed() + input.acceleration * core_.config.tick_s;
     // When everything stops, the axis follows the spindle down and leaves the thread only with it.
-    input.brake = (thread_moving_ && spindle.command() == 0.0 && spindle.standing()) ||
-                  retract_.clear_of_part();
-    if (emergency_) {
+    input.brake = (thread_.moving() && spindle.command() == 0.0 && spindle.standing()) ||
+                  thread_.retract.clear_of_part();
+    if (program_.emergency()) {
         input.emergency_dec = emergency_deceleration();
-        retract_.stop();
+        thread_.retract.stop();
     }
-    const ThreadStep step = thread_->tick(input);
+    const ThreadStep step = thread_.follower->tick(input);
     if (step.lost_line)
         raise(Alarm::ThreadSpindleTooFast, "the spindle has become too fast for the axes");
     if (step.phase == ThreadPhase::Waiting || step.phase == ThreadPhase::Idle) return false;
-    thread_moving_ = true;
-    moving_ = step.speed > 0;
-    moving_rapid_ = false;
+    thread_.moves(true);
+    path_.moving = step.speed > 0;
+    path_.rapid = false;
     report_thread(step);
     const PathRecord& r = record(step.record);
     place_axes(r, step.s);
-    if (!retract_.active() && withdraws(r)) begin_withdrawal(r, step);
-    retract_.move_axes(core_.axes, core_.config.tick_s);
-    line_ = r.line;
-    block_ = r.block;
-    file_ = r.file;
-    step_.speed = step.speed;
-    step_.s = step.s;
+    if (!thread_.retract.active() && withdraws(r)) begin_withdrawal(r, step);
+    thread_.retract.move_axes(core_.axes, core_.config.tick_s);
+    shown_.show(r);
+    path_.step.speed = step.speed;
+    path_.step.s = step.s;
     if (step.phase != ThreadPhase::Done) return false;
-    if (retract_.active()) {
-        if (retract_.clear_of_part() || !retract_.moving()) withdrawn(step);
+    if (thread_.retract.active()) {
+        if (thread_.retract.clear_of_part() || !thread_.retract.moving()) withdrawn(step);
         return false;
     }
-    const bool whole = step.ended_to == thread_end_ + 1 && step.ended_to > step.ended_from;
+    const bool whole = step.ended_to == thread_.end + 1 && step.ended_to > step.ended_from;
     spindle.override_locked = false;
     if (spindle.locked_by == number_ && spindle.mode() != SpindleUnit::Mode::SurfaceSpeed)
         spindle.locked_by = 0;
-    if (!whole && !interrupted_ && !resetting_ && !dead_)
+    if (!whole && !program_.interrupted() && !program_.resets() && !process_.dead())
         raise(Alarm::ThreadSpindleStands, name_of('S', first.spindle - 1u).view());
-    left = whole ? 1.0 - thread_->end_fraction(thread_end_) : 0.0;
-    const bool block_end = block_ends_at(thread_end_);
-    cursor_ = thread_end_ + 1;
-    planner_->skip(cursor_);
-    phase_ = Phase::None;
-    begun_ = thread_moving_ = thread_committed_ = false;
-    if (block_end && (keys & kKeySingleBlock) && state_ == ChannelState::Running)
+    left = whole ? 1.0 - thread_.follower->end_fraction(thread_.end) : 0.0;
+    const bool block_end = block_ends_at(thread_.end);
+    path_.cursor = thread_.end + 1;
+    path_.planner->skip(path_.cursor);
+    standing_.phase = Phase::None;
+    standing_.begun = false;
+    thread_.empty();
+    if (block_end && (panel_.keys & kKeySingleBlock) && program_.is(ChannelState::Running))
         stand(ChannelState::ProgramStop, StopReason::SingleBlock);
     return true;
 }
@@ -150,11 +154,64 @@ void ChannelRunner::report_thread(const ThreadStep& step) noexcept {
                                             : std::min(step.began_from, step.ended_from);
     for (std::uint64_t i = from; i < std::max(step.began_to, step.ended_to); ++i) {
         if (i >= step.began_from && i < step.began_to)
-            begin_record(record(i), thread_->begin_fraction(i) * dt);
+            begin_record(record(i), thread_.follower->begin_fraction(i) * dt);
         if (i < step.ended_from || i >= step.ended_to) continue;
         place_axes(record(i), record(i).length);
-        finished(record(i), i, thread_->end_fraction(i) * dt);
+        finished(record(i), i, thread_.follower->end_fraction(i) * dt);
     }
+}
+
+bool ChannelRunner::withdraws(const PathRecord&) const noexcept {
+    return thread_.moving() && !program_.emergency() &&
+           (program_.holds() || program_.resets() || process_.dead() || program_.interrupted());
+}
+
+void ChannelRunner::begin_withdrawal(const PathRecord& r, const ThreadStep& step) noexcept {
+    // A retract direction that is blocked is none: the hold then acts behind the thread.
+    for (std::uint32_t k = 0; k < r.axis_count; ++k)
+        if (const double way = ThreadRetract::of(r, k);
+            way != 0.0 && core_.stroke.room(core_, r.axis[k], way) < std::fabs(way))
+            return;
+    if (!(panel_.keys & kKeyMachineLock))
+        (void)thread_.retract.begin(r, core_.axes, step.speed, core_.config.tick_s);
+}
+
+// Out and at rest: the hold, the reset or the end may act; the thread's records wait to be driven
+// once more.
+void ChannelRunner::withdrawn(const ThreadStep& step) noexcept {
+    const PathRecord& first = record(path_.cursor);
+    const bool whole = step.ended_to == thread_.end + 1 && step.ended_to > step.ended_from;
+    if (!whole) report(KernelEventKind::RecordEnd, record(step.record), 0);
+    SpindleUnit& spindle = core_.spindles[first.spindle - 1];
+    spindle.override_locked = false;
+    if (spindle.locked_by == number_ && spindle.mode() != SpindleUnit::Mode::SurfaceSpeed)
+        spindle.locked_by = 0;
+    thread_.empty();
+    path_.moving = false;
+    path_.step.speed = 0;
+    thread_.retract.stands_out();
+}
+
+bool ChannelRunner::go_back(const PathRecord& first) noexcept {
+    if (program_.emergency()) {
+        bool moves = false;
+        for (std::uint32_t k = 0; k < first.axis_count; ++k)
+            moves = core_.axes[first.axis[k]].brake(core_.config.tick_s) || moves;
+        thread_.moves(moves);
+        return moves;
+    }
+    const bool go = program_.is(ChannelState::Running) && !program_.holds() &&
+                    !program_.interrupted() && !program_.resets() && !process_.dead() &&
+                    !core_.all_stop && core_.on();
+    const bool there = thread_.retract.step_back(first, core_.axes, go, core_.config.tick_s);
+    path_.moving = thread_.retract.moving();
+    thread_.moves(path_.moving);
+    path_.rapid = true;
+    if (there) {
+        thread_.retract.clear();
+        thread_.empty();
+    }
+    return there;
 }
 
 }  // namespace polyturn::kernel

@@ -27,31 +27,28 @@ std::string_view text_of(const PathRecord& r) noexcept {
 
 void ChannelRunner::execute_standing(double& left) noexcept {
     for (int i = 0; i < kStandingPerTick; ++i) {
-        if (cursor_ >= planner_->next_record()) return;
-        const PathRecord& r = record(cursor_);
-        if (!stops_path(r) && !(cursor_ == cut_.record && cut_.s < kOnLimit)) return;
-        if (!begun_) {
+        if (path_.cursor >= path_.planner->next_record()) return;
+        const PathRecord& r = record(path_.cursor);
+        if (!stops_path(r) && !(path_.cursor == path_.cut.record && path_.cut.s < kOnLimit)) return;
+        if (!standing_.begun) {
             // A new step needs a running program; one that has begun is brought to its end in a
             // hold too.
-            if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ ||
-                core_.all_stop)
+            if (!program_.is(ChannelState::Running) || program_.holds() || program_.interrupted() ||
+                program_.resets() || process_.dead() || core_.all_stop)
                 return;
-            if ((handwheel_ && handwheel_rate_ <= 0) || stops_for_tool(r) || owes_rendezvous_)
+            if (retrace_.wheel.holds() || stops_for_tool(r) || standing_.wait.owed) return;
+            if (interrupts_.due &&
+                (!(interrupts_.bits & kInterruptAtBlockEnd) || r.serial != shown_.ended_serial))
                 return;
-            if (interrupt_due_ &&
-                (!(interrupt_bits_ & kInterruptAtBlockEnd) || r.serial != last_serial_))
-                return;
-            line_ = r.line;
-            block_ = r.block;
-            file_ = r.file;
-            begun_ = true;
-            phase_since_ = core_.tick;
-            if (!is_motion(r) && early_ != cursor_)
+            shown_.show(r);
+            standing_.begun = true;
+            standing_.since = core_.tick;
+            if (!is_motion(r) && standing_.handshake.early != path_.cursor)
                 begin_record(r, (1.0 - left) * core_.config.tick_s);
         }
         // nothing of it may be driven, or it is a thread, which cannot stop within
-        if (cursor_ == cut_.record) {
-            if (interrupted_) return;
+        if (path_.cursor == path_.cut.record) {
+            if (program_.interrupted()) return;
             begin_record(r, (1.0 - left) * core_.config.tick_s);
             stop_at_limit();
             return;
@@ -65,15 +62,15 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         if ((r.flags & kDrains) && (kind == RecordKind::Aux || kind == RecordKind::Barrier) &&
             (drive_is_coming() || leaves_stop()))
             return;
-        const std::uint64_t index = cursor_++;
-        planner_->skip(cursor_);
-        begun_ = false;
-        phase_ = Phase::None;
-        at_boundary_ = true;
+        const std::uint64_t index = path_.cursor++;
+        path_.planner->skip(path_.cursor);
+        standing_.begun = false;
+        standing_.phase = Phase::None;
+        path_.at_boundary = true;
         finished(r, index, (1.0 - left) * core_.config.tick_s);
         // a search moves nothing
-        if ((keys & kKeySingleBlock) && block_ends_at(index) && state_ == ChannelState::Running &&
-            restart_ != RestartState::Searching) {
+        if ((panel_.keys & kKeySingleBlock) && block_ends_at(index) &&
+            program_.is(ChannelState::Running) && restart_.stage != RestartState::Searching) {
             stand(ChannelState::ProgramStop, StopReason::SingleBlock);
             return;
         }
@@ -150,7 +147,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             // nothing waits
             if (static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position) {
                 (void)position_spindle(r);
-                phase_ = Phase::None;
+                standing_.phase = Phase::None;
                 return true;
             }
             spindle_mode(r);
@@ -173,14 +170,14 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             part_made();
             return true;
         case RecordKind::Interrupts:
-            interrupt_bits_ = r.mask;
-            interrupt_inputs_ =
+            interrupts_.bits = r.mask;
+            interrupts_.inputs =
                 r.value > 0 && r.value < 0x1p32 ? static_cast<std::uint32_t>(r.value) : 0u;
-            interrupts_on_ = r.code != 0;
+            interrupts_.on = r.code != 0;
             // the channel is in the interrupt program already
-            interrupt_due_ = interrupt_due_ && ahead_ != kNoRecord;
+            interrupts_.due = interrupts_.due && interrupts_.ahead != kNoRecord;
             // An edge counts from here on; a level that is there already counts at once.
-            interrupt_seen_ = interrupt_signals();
+            interrupts_.seen = interrupts_.signals_now(core_.signals, number_);
             return true;
         case RecordKind::Flag:
             flag(r);
@@ -189,14 +186,14 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             begin_positioning(r);
             return true;
         case RecordKind::Marker:
-            if (restart_ == RestartState::Searching)
+            if (restart_.stage == RestartState::Searching)
                 core_.waits.mark_in_search(index_, r.code, r.value != 0.0);
             else
                 core_.waits.mark(index_, r.code, r.value != 0.0);
             return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
-            core_.waits.arrive(index_, r.code, r.mask, run_, wait_phase());
-            passing_ = true;
+            core_.waits.arrive(index_, r.code, r.mask, program_.run, wait_phase());
+            standing_.wait.passing = true;
             return true;
         default:
             return true;
@@ -210,12 +207,14 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
             core_.signals.set_nc(signals::tapping(number_), r.value != 0);
             break;
         case kFlagControl:
-            control_ = static_cast<std::uint32_t>(r.value);
-            group_ended_ =
-                (control_ & kControlGroupEnds) &&
-                ((pressed_keys & kKeySingleBlock) || core_.signals.plc(signals::m5008(number_)));
+            program_.control = static_cast<std::uint32_t>(r.value);
+            program_.release(Brake::GroupEnd);
+            if ((program_.control & kControlGroupEnds) &&
+                ((panel_.pressed & kKeySingleBlock) || core_.signals.plc(signals::m5008(number_))))
+                program_.brake_for(Brake::GroupEnd);
             // pressed while it did not count
-            if (!(control_ & kControlNoHold) && std::exchange(hold_later_, false)) hold_ = true;
+            if (!(program_.control & kControlNoHold) && std::exchange(program_.hold_put_off, false))
+                program_.brake_for(Brake::Hold);
             break;
         case kFlagStroke2:
             if (r.value != 0)
@@ -257,30 +256,32 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
 
 // First-part mode: the operator looks at each tool before it comes.
 bool ChannelRunner::stops_for_tool(const PathRecord& r) noexcept {
-    if (!(keys & kKeyFirstPart) || restart_ == RestartState::Searching ||
+    if (!(panel_.keys & kKeyFirstPart) || restart_.stage == RestartState::Searching ||
         static_cast<RecordKind>(r.kind) != RecordKind::Aux || r.code != 'T' ||
-        tool_shown_ == cursor_)
+        standing_.tool_shown == path_.cursor)
         return false;
-    tool_shown_ = cursor_;
-    line_ = r.line;
+    standing_.tool_shown = path_.cursor;
+    shown_.line = r.line;
     stand(ChannelState::ProgramStop, StopReason::FirstPart);
     return true;
 }
 
 bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
-    if (phase_ != Phase::Dwell) {
-        phase_ = Phase::Dwell;
-        dwell_left_ = r.value != 0 ? std::min(dwell_broken_, r.feed) : r.feed;
-        dwell_since_ = core_.tick;
+    if (standing_.phase != Phase::Dwell) {
+        standing_.phase = Phase::Dwell;
+        standing_.dwell.left = r.value != 0 ? std::min(standing_.dwell.broken, r.feed) : r.feed;
+        standing_.dwell.since = core_.tick;
     }
-    if (hold_ || interrupted_ || core_.all_stop || state_ != ChannelState::Running) return false;
+    if (program_.holds() || program_.interrupted() || core_.all_stop ||
+        !program_.is(ChannelState::Running))
+        return false;
     double rate = 1.0;  // seconds or revolutions a second
     if (static_cast<FeedMode>(r.feed_mode) == FeedMode::Revolutions) {
         const bool known = r.spindle >= 1 && r.spindle <= kMaxSpindles;
         rate = known ? std::fabs(core_.spindle_rev_s[r.spindle - 1]) : 0.0;
         if (known && refuses_detached(r.spindle)) return false;
         // The PLC may still be writing SP_ROT, as with a feed per revolution.
-        const bool answered = core_.tick > dwell_since_ + 3 * core_.config.plc_cycle_ticks;
+        const bool answered = core_.tick > standing_.dwell.since + 3 * core_.config.plc_cycle_ticks;
         if (!known ||
             (answered && core_.spindles[r.spindle - 1].command() == 0.0 && rate < kStandingRevS)) {
             raise(Alarm::SpindleStands, name_of('S', r.spindle ? r.spindle - 1u : 0u).view());
@@ -291,17 +292,17 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
         core_.signals.input(static_cast<std::size_t>(r.code))) {
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
             core_.axes[a].skip = core_.axes[a].measured();
-        return skipped_ = true;  // its signal ends it (G4 Q)
+        return standing_.skip.came = true;  // its signal ends it (G4 Q)
     }
-    if (handwheel_) rate *= std::max(handwheel_rate_, 0.0);
+    if (retrace_.wheel.on) rate *= std::max(retrace_.wheel.rate, 0.0);
     const double available = rate * left * core_.config.tick_s;
     // A dwell of whole ticks ends with the last of them, whatever the rounding of the sum.
-    if (dwell_left_ > available + 1e-9 * rate) {
-        dwell_left_ -= available;
+    if (standing_.dwell.left > available + 1e-9 * rate) {
+        standing_.dwell.left -= available;
         left = 0.0;
         return false;
     }
-    left = available > 0 ? std::fmax(0.0, left * (1.0 - dwell_left_ / available)) : left;
+    left = available > 0 ? std::fmax(0.0, left * (1.0 - standing_.dwell.left / available)) : left;
     return true;
 }
 
@@ -342,16 +343,16 @@ void ChannelRunner::strobe(const PathRecord& r) noexcept {
             signals::cn_ssel(number_),
             static_cast<std::int32_t>(core_.config.channels[index_].default_spindle));
     const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
-    strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
+    standing_.handshake.strobe = core_.signals.nc(lines.strobe(number_)) + 1;
     if (r.code == 'T' && ToolClient::managed(core_))
         core_.tools.show(core_, index_);
     else if (r.code == 'T')
         core_.signals.set_nc(signals::cn_mgzno(number_), 0);
     core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
-    core_.signals.set_nc(lines.strobe(number_), strobe_);
+    core_.signals.set_nc(lines.strobe(number_), standing_.handshake.strobe);
     if (r.code == 'M') {
-        m_code_ = static_cast<std::int32_t>(std::lround(r.value));
-        core_.newest_m = {m_code_, number_};
+        standing_.handshake.m_code = static_cast<std::int32_t>(std::lround(r.value));
+        core_.newest_m = {standing_.handshake.m_code, number_};
     }
 }
 
@@ -368,38 +369,42 @@ void ChannelRunner::strobe_end(StopReason reason) noexcept {
 bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
     const bool managed = r.code == 'T' && ToolClient::managed(core_);
-    if (managed && phase_ != Phase::Handshake && !tool_is_known(r)) return false;
+    if (managed && standing_.phase != Phase::Handshake && !tool_is_known(r)) return false;
     if (r.plane[2] != 0) {  // passed by a restart: the PLC hears nothing of it
         if (managed || r.code == 'M') core_.tools.pass(core_, index_, r.code == 'M');
         if (managed) core_.tools.forget(index_);
         return true;
     }
-    if (managed && phase_ != Phase::Handshake && core_.tools.differs(index_)) {
-        if (!interrupted_)
+    if (managed && standing_.phase != Phase::Handshake && core_.tools.differs(index_)) {
+        if (!program_.interrupted())
             raise(
                 Alarm::ToolNotFound,
                 "since the search for the block another sister has taken its place; restart again");
         return false;
     }
-    if (phase_ != Phase::Handshake) {
+    if (standing_.phase != Phase::Handshake) {
         // the code before is still to be seen
-        if (unfinished_ &&
+        if (standing_.handshake.unfinished &&
             core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_)))
             return false;
-        unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kPositioning) != 0;
-        phase_ = Phase::Handshake;
-        if (early_ != cursor_) {
+        standing_.handshake.unfinished =
+            (program_.control & kControlNoFinish) != 0 || (r.flags & kPositioning) != 0;
+        standing_.phase = Phase::Handshake;
+        if (standing_.handshake.early != path_.cursor) {
             strobe(r);
-            phase_since_ = core_.tick;
+            standing_.since = core_.tick;
             return false;
         }
     }
     // Its end is not waited for, but the PLC has to see it while the spindle that it means is the
     // selected one.
-    if ((r.flags & kPositioning) && core_.tick <= phase_since_ + core_.config.plc_cycle_ticks)
+    if ((r.flags & kPositioning) && core_.tick <= standing_.since + core_.config.plc_cycle_ticks)
         return false;
-    if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
-    early_ = kNoRecord;  // until here: the axes may still be coming to rest while the turret turns
+    if (!standing_.handshake.unfinished &&
+        core_.signals.plc(lines.finished(number_)) != standing_.handshake.strobe)
+        return false;
+    standing_.handshake.early =
+        kNoRecord;  // until here: the axes may still be coming to rest while the turret turns
     if (managed) {
         if (!core_.tools.in_place(core_, index_)) return false;  // the store's ring is full
         core_.tools.forget(index_);
@@ -418,7 +423,7 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
 bool ChannelRunner::tool_is_known(const PathRecord& r) noexcept {
     const ToolClient::Call call = core_.tools.call(index_);
     if (call == ToolClient::Call::Answered) return true;
-    if (interrupted_) return false;
+    if (program_.interrupted()) return false;
     if (call == ToolClient::Call::None) {
         (void)core_.tools.ask(core_, index_, r);
     } else if (call == ToolClient::Call::Refused) {
@@ -434,67 +439,67 @@ bool ChannelRunner::tool_is_known(const PathRecord& r) noexcept {
 }
 
 bool ChannelRunner::arrive(const PathRecord& r) noexcept {
-    if (phase_ == Phase::Waiting) {
-        if (!released_) return false;
+    if (standing_.phase == Phase::Waiting) {
+        if (!standing_.wait.released) return false;
         // opened while held: goes on after the start
-        if (hold_ || state_ != ChannelState::Running) return false;
-        released_ = false;
+        if (program_.holds() || !program_.is(ChannelState::Running)) return false;
+        standing_.wait.released = false;
         return true;
     }
-    phase_ = Phase::Waiting;
-    released_ = false;
-    wait_since_ = core_.tick;
-    warned_ = 0;
-    judged_ = false;
+    standing_.phase = Phase::Waiting;
+    standing_.wait.released = false;
+    standing_.wait.begin(core_.tick);
     stand_at(r);
-    state_ = ChannelState::Waiting;
+    program_.enter(ChannelState::Waiting);
     return false;
 }
 
 void ChannelRunner::stand_at(const PathRecord& r) noexcept {
-    core_.waits.arrive(index_, r.code, r.mask | ChannelSet{1} << index_, run_, wait_phase());
+    core_.waits.arrive(index_, r.code, r.mask | ChannelSet{1} << index_, program_.run,
+                       wait_phase());
 }
 
 bool ChannelRunner::stop(const PathRecord& r) noexcept {
-    if (passes_stop_) return true;
-    ends_with_part_ = false;  // the program stops by itself
+    if (standing_.passes_stop) return true;
+    production_.ends_with_part = false;  // the program stops by itself
     const auto reason = static_cast<StopReason>(r.code);
-    if (phase_ == Phase::Stopped) return std::exchange(continue_, false);
+    if (standing_.phase == Phase::Stopped) return std::exchange(standing_.goes_on, false);
     switch (reason) {
         case StopReason::M00:
         case StopReason::M01:
         case StopReason::Dialogue:
-            phase_ = Phase::Stopped;
-            continue_ = false;
+            standing_.phase = Phase::Stopped;
+            standing_.goes_on = false;
             stand(ChannelState::ProgramStop, reason);
             return false;
         case StopReason::Restart:
-            restart_ = RestartState::AtBlock;
-            phase_ = Phase::Stopped;
-            continue_ = false;
+            restart_.stage = RestartState::AtBlock;
+            standing_.phase = Phase::Stopped;
+            standing_.goes_on = false;
             stand(ChannelState::ProgramStop, reason);
             return false;
         case StopReason::Alarm:  // the program cannot be read on; the channel has said why
-            alarm_ = true;
+            program_.alarm = true;
             ++core_.alarm_count;
-            interrupted_ = true;
+            program_.brake_for(Brake::Alarm);
             stand(ChannelState::Interrupted, reason);
-            core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
+            core_.event(KernelEventKind::CycleEnded, number_, r.code, production_.times.cycle_s,
+                        r.line);
             return true;
         default:
-            if (held_mdi_) {  // the block by hand is over, the program is still held
-                held_mdi_ = false;
-                program_left_ = true;
+            if (resume_.runs_by_hand()) {  // the block by hand is over, the program is still held
+                resume_.by_hand = Resume::ByHand::Done;
                 block_is_over();
                 stand(ChannelState::Held, StopReason::Held);
                 return true;
             }
-            restart_ = RestartState::None;  // its block did not come
-            if (!lap_ended_) end_lap();
+            restart_.stage = RestartState::None;  // its block did not come
+            if (!production_.lap_ended) end_lap();
             block_is_over();
             strobe_end(reason);
             stand(ChannelState::Ended, reason);
-            core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
+            core_.event(KernelEventKind::CycleEnded, number_, r.code, production_.times.cycle_s,
+                        r.line);
             return true;
     }
 }
@@ -520,9 +525,7 @@ bool ChannelRunner::take_spindle(const PathRecord& r, std::uint32_t number, bool
         ShortText text = name_of('S', number - 1);
         text << " belongs to L" << owner;
         // the refused block, not the one before it
-        line_ = r.line;
-        block_ = r.block;
-        file_ = r.file;
+        shown_.show(r);
         raise(Alarm::SpindleOwned, text.view());
         return false;
     }
@@ -538,7 +541,7 @@ bool ChannelRunner::take_spindle(const PathRecord& r, std::uint32_t number, bool
 bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     const std::uint32_t number =
         r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
-    if (phase_ != Phase::Spindle) {
+    if (standing_.phase != Phase::Spindle) {
         if (!take_spindle(r, number, false)) return false;
         const auto how = static_cast<SpindleApproach>(r.plane[0]);
         // the angle would wait for an M19 that never comes
@@ -552,7 +555,7 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
         // The PLC may have let it go with this very tick.
         if (!core_.spindles[number - 1].closed() || !core_.signals.plc(signals::sp_oreq(number)))
             return true;
-        phase_ = Phase::Spindle;
+        standing_.phase = Phase::Spindle;
         return false;
     }
     if (refuses_detached(number)) return false;
@@ -586,7 +589,7 @@ bool ChannelRunner::needed_elsewhere(std::uint32_t follower) const noexcept {
 bool ChannelRunner::calls_follower(std::uint32_t follower) noexcept {
     constexpr int kHandOverTicks = 10;
     if (follower < kMaxAxes || follower >= kMaxAxes + kMaxSpindles ||
-        core_.tick >= phase_since_ + kHandOverTicks)
+        core_.tick >= standing_.since + kHandOverTicks)
         return false;
     const std::uint32_t s = follower - static_cast<std::uint32_t>(kMaxAxes);
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
@@ -603,7 +606,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
     SpindleCouplings& couplings = *core_.spindle_couplings;
     const std::uint32_t follower = r.axis[0];
     const bool on = static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Couple;
-    if (phase_ == Phase::Spindle) {
+    if (standing_.phase == Phase::Spindle) {
         if (!on) return !couplings.follows(follower);
         if (refuses_detached(r.spindle) ||
             (follower >= kMaxAxes &&
@@ -620,7 +623,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
         return false;
     }
     if (on && calls_follower(follower)) return false;
-    phase_ = Phase::Spindle;
+    standing_.phase = Phase::Spindle;
     if (!on) {
         // M3 was the follower's
         if ((r.mask & 4u) && r.spindle) core_.signals.set_nc(signals::cn_ssel(number_), r.spindle);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "ipc/capacities.hpp"
+#include "kernel/channel/mdi_lines.hpp"
 
 namespace polyturn::kernel {
 
@@ -14,6 +15,18 @@ struct HandBlock {
     // a start in a hold has asked the channel whether the program can be left for it
     Of wanted = Of::Nobody;
     std::array<char, kCommandText> of_key{};  // its text
+};
+
+struct HandBlocks {
+    MdiLines lines;  // entered by hand
+    HandBlock block;
+
+    // What runs, or is held, is no program.
+    bool run() const noexcept { return block.runs != HandBlock::Of::Nobody; }
+    void block_is_over() noexcept {
+        lines.ended();
+        block.runs = HandBlock::Of::Nobody;
+    }
 };
 
 }  // namespace polyturn::kernel
