@@ -5,9 +5,9 @@
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
 //
-// An axis may also run a program of its own, step by step (beside_program.hpp); AN_PAXA stays until
-// that is over. The PLC must allow it (AP_PAXENA), and may end it without ending anything else
-// (AP_PAXRST; fanuc_lathe 10.4.6).
+// An axis may also run a program of its own, step by step (positioning_program.hpp); AN_PAXA stays
+// until that is over. The PLC must allow it (AP_PAXENA), and may end it without ending anything
+// else (AP_PAXRST; fanuc_lathe 10.4.6).
 //
 // A positioning axis of a program obeys its channel: it stops in a hold and at override 0, goes on
 // with the program, and ends where it is with a reset or an alarm. Machine lock lets it be where it

@@ -53,6 +53,13 @@ struct ChannelPath {
         planner->clear(from);
         writes_ahead = 0;
     }
+    // Behind what was discarded, at standstill.
+    void stand_here() noexcept {
+        step = {};
+        step.record = cursor;
+        flying = let_pass = kNoRecord;
+        at_boundary = true;
+    }
     // Nothing of what the ring holds is wanted any more.
     void begin_behind_all() noexcept {
         inbox.look(cursor);

@@ -1,5 +1,5 @@
 // The interrupt macro's signal, watched between M96 and M97, and the channel's answer to being
-// notified ahead (channel_interrupt.cpp).
+// notified ahead (program/interrupt.hpp).
 #pragma once
 #include <cstdint>
 
@@ -20,6 +20,7 @@ struct InterruptWatch {
 
     // The watched signals that are on: bit 0 the only one, or bit n input n + 1.
     std::uint32_t signals_now(const Signals& signals, std::uint32_t channel) const noexcept;
+    void off() noexcept { on = due = false; }
     void nothing_ahead() noexcept {
         ahead_asked = 0;
         ahead = ~0ull;

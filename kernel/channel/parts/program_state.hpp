@@ -8,7 +8,7 @@
 //               '---- reset, path at rest ---- any state with a program, Interrupted(Alarm)
 //   Dead: at once when its process dies, from any state; a successor attaches in Reset.
 //
-// Several reasons to brake may be set at once. When the path rests, ChannelRunner::settle() takes
+// Several reasons to brake may be set at once. When the path rests, settle_program() takes
 // them in this order: Reset, an interrupt program, the question of a hold, death, Alarm, Hold,
 // single block and GroupEnd.
 //

@@ -1,5 +1,5 @@
 // A program that is held: the question to its channel whether it can be taken back to a place, and
-// the blocks that run by hand meanwhile (channel_hold.cpp).
+// the blocks that run by hand meanwhile (program/hold.hpp).
 //
 //              start, a block waits          its end                    start
 //   Program ------------------------> Runs ----------> Done ----------------------> Program

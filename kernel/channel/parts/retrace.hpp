@@ -1,5 +1,5 @@
 // The path driven back and forth by the operator: retrace in a hold, and the handwheel that is the
-// time base of the programs of a machine group (channel_trail.cpp).
+// time base of the programs of a machine group (path/retrace_drive.hpp).
 //
 //        retrace on           start               wall, retrace off        start, its end
 //   None -----------> Back -----------> (driven) -------------------> Forth ---------------> None
@@ -33,6 +33,10 @@ struct Retrace {
     ProgramWheel wheel;
 
     bool chosen() const noexcept { return trail.active() || way == Way::Back; }
+    // What was driven until now is not driven back; what is being driven back is.
+    void forget_driven() noexcept {
+        if (!trail.active()) trail.clear();
+    }
     void forget() noexcept {
         trail.clear();
         way = Way::None;

@@ -41,20 +41,21 @@ struct DwellStep {
     std::int64_t since = 0;  // tick at which it began
 };
 
-struct StandingRecord {
-    enum class Phase : std::uint8_t {
-        None,
-        Dwell,
-        Handshake,
-        Waiting,
-        Stopped,
-        Thread,
-        Spindle,
-        Home,
-        Released
-    };
+// How far it has come.
+enum class RecordPhase : std::uint8_t {
+    None,
+    Dwell,
+    Handshake,
+    Waiting,
+    Stopped,
+    Thread,
+    Spindle,
+    Home,
+    Released
+};
 
-    Phase phase = Phase::None;
+struct StandingRecord {
+    RecordPhase phase = RecordPhase::None;
     bool begun = false;  // it has reported its beginning
     std::int64_t since = 0;
     bool passes_stop = false;          // it is an M01 whose key was off when it began
@@ -64,6 +65,13 @@ struct StandingRecord {
     SkipMove skip;
     WaitStep wait;
     Handshake handshake;
+
+    // What was pushed is void, and with it what it had begun.
+    void forget() noexcept {
+        phase = RecordPhase::None;
+        begun = wait.released = wait.passing = skip.ending = false;
+        handshake.early = ~0ull;
+    }
 };
 
 }  // namespace polyturn::kernel
