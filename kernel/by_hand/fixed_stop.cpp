@@ -1,8 +1,8 @@
 // Travel to a fixed stop: an axis whose drive may give only the torque AP_TORQ meets an obstacle.
-// It is at the stop when the drive is at its limit, the slide is at rest, and the
-// command is PT_STOP_ERROR ahead: AN_FIXED. What moves it stops (a jog here, a record with
-// kFixedStop by itself: channel_runner), and it presses until the limit is taken away; then the
-// command goes back to where the slide is.
+// It is at the stop when the drive is at its limit, the slide is at rest, and the command is
+// PT_STOP_ERROR ahead: AN_FIXED. What moves it stops (a jog here, a record with kFixedStop by
+// itself: channel/path/skip_move), and it presses until the limit is taken away; then the command
+// goes back to where the slide is.
 #include <cmath>
 
 #include "kernel/tick/machine.hpp"

@@ -34,7 +34,8 @@ double Machine::jog_feed(std::uint32_t a) const noexcept {
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
     // N0319, whatever key is held: a setter bears no rapid
     const bool measures = core_.signals.plc(signals::cp_tmeas(axis.channel)) != 0;
-    if ((channels_[axis.channel - 1]->keys & kKeyRapid) && !measures) return by_hand(a);  // N0314
+    if ((channels_[axis.channel - 1]->panel().keys & kKeyRapid) && !measures)
+        return by_hand(a);  // N0314
     double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
     if (core_.signals.plc(signals::cp_setup(axis.channel))) most = std::fmin(most, axis.setup_feed);
     if (measures) return std::fmin(channel.measure_feed, most);

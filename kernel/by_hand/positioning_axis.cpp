@@ -5,9 +5,9 @@
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
 //
-// An axis may also run a program of its own, step by step (beside_program.hpp); AN_PAXA stays until
-// that is over. The PLC must allow it (AP_PAXENA), and may end it without ending anything else
-// (AP_PAXRST; fanuc_lathe 10.4.6).
+// An axis may also run a program of its own, step by step (positioning_program.hpp); AN_PAXA stays
+// until that is over. The PLC must allow it (AP_PAXENA), and may end it without ending anything
+// else (AP_PAXRST; fanuc_lathe 10.4.6).
 //
 // A positioning axis of a program obeys its channel: it stops in a hold and at override 0, goes on
 // with the program, and ends where it is with a reset or an alarm. Machine lock lets it be where it
@@ -61,7 +61,7 @@ bool Machine::start_positioning_axis(std::uint32_t a,
     core_.event(KernelEventKind::PositioningBegin, l, static_cast<std::int32_t>(a + 1), wish.target,
                 wish.line);
     axis.beside = true;
-    if (wish.channel && (channels_[wish.channel - 1]->keys & kKeyMachineLock)) return true;
+    if (wish.channel && (channels_[wish.channel - 1]->panel().keys & kKeyMachineLock)) return true;
     if (way == 0) return true;
     start_jog(*permit, a, way > 0 ? 1.0 : -1.0, config.rapid, std::fabs(way), 0.0, true);
     jogs_[a].limit_speed(positioning_speed(a));
@@ -88,7 +88,7 @@ double Machine::positioning_speed(std::uint32_t a) const noexcept {
         const ChannelRunner& runner = *channels_[wish.channel - 1];
         if (runner.holds_positioning()) return 0.0;
         v *= runner.handwheel_share();
-        v *= wish.speed > 0 ? runner.feed_factor() : runner.rapid_override;
+        v *= wish.speed > 0 ? runner.feed_factor() : runner.panel().rapid_override;
     }
     if (core_.signals.plc(signals::cp_setup(config.channel))) v = std::fmin(v, config.setup_feed);
     if (!core_.axes[a].referenced && config.reference.rapid > 0)

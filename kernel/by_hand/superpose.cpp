@@ -3,7 +3,7 @@
 // it becomes part of the axis' own position.
 //
 // Both motions together keep the axis' limits: a path that is planned while the handwheel is
-// superposed leaves kOverlayShare of velocity, acceleration and jerk to it (ChannelRunner::supply),
+// superposed leaves kOverlayShare of velocity, acceleration and jerk to it (supply_path),
 // and the handwheel acts only once such a path is driven.
 #include <cmath>
 #include <utility>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/channel/channel_runner.hpp"
-
 namespace polyturn::kernel {
 namespace {
 
@@ -22,22 +20,18 @@ std::uint32_t lead_slot(const PathRecord& r) noexcept {
     return most;
 }
 
-double retract_of(const PathRecord& r, std::uint32_t k) noexcept {
-    return k < r.retract.size() ? r.retract[k] : 0.0;
-}
-
 }  // namespace
 
 bool ThreadRetract::begin(const PathRecord& r, const std::array<AxisUnit, kMaxAxes>& axes,
                           double path_speed, double tick_s) noexcept {
     double square = 0;
-    for (std::uint32_t k = 0; k < r.axis_count; ++k) square += retract_of(r, k) * retract_of(r, k);
+    for (std::uint32_t k = 0; k < r.axis_count; ++k) square += of(r, k) * of(r, k);
     length_ = std::sqrt(square);
     if (length_ < kNothing) return false;
     AxisJog::Limits limits{kUnlimited, kUnlimited, kUnlimited};
     slots_ = 0;
     for (std::uint32_t k = 0; k < r.axis_count; ++k) {
-        const double way = retract_of(r, k);
+        const double way = of(r, k);
         if (way == 0.0) continue;
         const AxisConfig& axis = axes[r.axis[k]].config();
         const double share = std::fabs(way) / length_;
@@ -73,7 +67,7 @@ bool ThreadRetract::begin_leg(const PathRecord& r, const std::array<AxisUnit, kM
     double square = 0;
     slots_ = 0;
     for (std::uint32_t k = 0; k < r.axis_count; ++k) {
-        const bool across = k != lead && retract_of(r, k) != 0.0;
+        const bool across = k != lead && of(r, k) != 0.0;
         if (across != (phase_ == Phase::Across)) continue;
         const double way = r.start[k] - axes[r.axis[k]].own();
         if (std::fabs(way) < kNothing) continue;
@@ -113,55 +107,6 @@ bool ThreadRetract::step_back(const PathRecord& r, std::array<AxisUnit, kMaxAxes
     for (std::uint32_t k = 0; k < slots_; ++k)
         axes[axis_[k]].move_to(from_[k] + share_[k] * offset_);
     return false;
-}
-
-bool ChannelRunner::withdraws(const PathRecord&) const noexcept {
-    return thread_moving_ && !emergency_ && (hold_ || resetting_ || dead_ || interrupted_);
-}
-
-void ChannelRunner::begin_withdrawal(const PathRecord& r, const ThreadStep& step) noexcept {
-    // A retract direction that is blocked is none: the hold then acts behind the thread.
-    for (std::uint32_t k = 0; k < r.axis_count; ++k)
-        if (const double way = retract_of(r, k);
-            way != 0.0 && core_.stroke.room(core_, r.axis[k], way) < std::fabs(way))
-            return;
-    if (!(keys & kKeyMachineLock))
-        (void)retract_.begin(r, core_.axes, step.speed, core_.config.tick_s);
-}
-
-// Out and at rest: the hold, the reset or the end may act; the thread's records wait to be driven
-// once more.
-void ChannelRunner::withdrawn(const ThreadStep& step) noexcept {
-    const PathRecord& first = record(cursor_);
-    const bool whole = step.ended_to == thread_end_ + 1 && step.ended_to > step.ended_from;
-    if (!whole) report(KernelEventKind::RecordEnd, record(step.record), 0);
-    SpindleUnit& spindle = core_.spindles[first.spindle - 1];
-    spindle.override_locked = false;
-    if (spindle.locked_by == number_ && spindle.mode() != SpindleUnit::Mode::SurfaceSpeed)
-        spindle.locked_by = 0;
-    thread_moving_ = thread_committed_ = false;
-    moving_ = false;
-    step_.speed = 0;
-    retract_.stands_out();
-}
-
-bool ChannelRunner::go_back(const PathRecord& first) noexcept {
-    if (emergency_) {
-        bool moves = false;
-        for (std::uint32_t k = 0; k < first.axis_count; ++k)
-            moves = core_.axes[first.axis[k]].brake(core_.config.tick_s) || moves;
-        return thread_moving_ = moves;
-    }
-    const bool go = state_ == ChannelState::Running && !hold_ && !interrupted_ && !resetting_ &&
-                    !dead_ && !core_.all_stop && core_.on();
-    const bool there = retract_.step_back(first, core_.axes, go, core_.config.tick_s);
-    thread_moving_ = moving_ = retract_.moving();
-    moving_rapid_ = true;
-    if (there) {
-        retract_.clear();
-        thread_moving_ = thread_committed_ = false;
-    }
-    return there;
 }
 
 }  // namespace polyturn::kernel

@@ -23,6 +23,10 @@ namespace polyturn::kernel {
 
 class ThreadRetract {
 public:
+    // Of slot `k`, as the record says; 0: none.
+    static double of(const PathRecord& r, std::uint32_t k) noexcept {
+        return k < r.retract.size() ? r.retract[k] : 0.0;
+    }
     void clear() noexcept { *this = {}; }
     bool active() const noexcept { return phase_ != Phase::None; }
     bool clear_of_part() const noexcept { return phase_ >= Phase::Clear; }

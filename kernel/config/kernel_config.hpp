@@ -67,7 +67,7 @@ struct ChannelConfig {
     double measure_feed = 0;              // N0319, mm/s
     double rapid_key_factor = 1;          // N0313
     bool feed_override_in_rapid = false;  // FG.RAPIDOVR
-    // PT_LANGUAGE; a job may say another one (ChannelRunner::speaks)
+    // PT_LANGUAGE; a job may say another one (Channel::speaks)
     Dialect language = Dialect::Fanuc;
     // the panel's switch has 120 % at its end, and FG.MAXFOVR caps it (fagor part 1, 5.2); 1 is 100
     // %

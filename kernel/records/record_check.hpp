@@ -8,7 +8,7 @@
 //   and kinds are within their ranges; texts end V3  every number that is computed with is finite,
 //   and small enough to be counted in increments V4  a motion begins where the one before it ended,
 //   and its geometry says so too
-// Speed limits are not trusted either, but monitored where they act: command_watch.hpp.
+// Speed limits are not trusted either, but monitored where they act: watch_commands().
 #pragma once
 #include <cstdint>
 

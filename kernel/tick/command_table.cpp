@@ -101,8 +101,8 @@ void Machine::run_command(const Command& c) noexcept {
     const auto key = [&](std::uint32_t bits) {
         for (unsigned l = 0; l < kMaxChannels; ++l)
             if (c.channel == 0 || c.channel == l + 1)
-                channels_[l]->pressed_keys =
-                    on ? channels_[l]->pressed_keys | bits : channels_[l]->pressed_keys & ~bits;
+                channels_[l]->panel().pressed = on ? channels_[l]->panel().pressed | bits
+                                                   : channels_[l]->panel().pressed & ~bits;
     };
     if (c.channel != 0 && needs_process(static_cast<CommandKind>(c.kind)) &&
         !channels_[c.channel - 1]->attached()) {
@@ -173,12 +173,14 @@ void Machine::run_command(const Command& c) noexcept {
             each_channel(c, [&](ChannelRunner& r) { r.hand_key(text_of(c)); });
             break;
         case CommandKind::FeedOverride:
-            each_channel(
-                c, [&](ChannelRunner& r) { r.feed_override = std::clamp(c.value, 0.0, 2.0); });
+            each_channel(c, [&](ChannelRunner& r) {
+                r.panel().feed_override = std::clamp(c.value, 0.0, 2.0);
+            });
             break;
         case CommandKind::RapidOverride:
-            each_channel(
-                c, [&](ChannelRunner& r) { r.rapid_override = std::clamp(c.value, 0.0, 1.0); });
+            each_channel(c, [&](ChannelRunner& r) {
+                r.panel().rapid_override = std::clamp(c.value, 0.0, 1.0);
+            });
             break;
         case CommandKind::SpindleOverride:
             for (std::uint32_t s = 0; s < kMaxSpindles; ++s)

@@ -75,7 +75,7 @@ struct Core {
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;
-    // channels with nothing planned ahead (ChannelRunner::stands)
+    // channels with nothing planned ahead (ChannelView::stands)
     ChannelSet standing = 0;
     std::uint64_t meetings = 0;  // releases of waits so far
     // Axes that share a drive with a spindle (C axes).

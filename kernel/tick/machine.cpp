@@ -66,7 +66,7 @@ void Machine::start() {
     for (unsigned s = 0; s < kMaxSpindles; ++s) open_spindle(s);
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         const double factor = options.feed_override[l];
-        channels_[l]->feed_override = factor > 0 ? factor : 1.0;
+        channels_[l]->panel().feed_override = factor > 0 ? factor : 1.0;
         if (core_.config.channels[l].exists) channels_[l]->prepare();
     }
     show_free_parameters();
@@ -280,7 +280,7 @@ void Machine::run_channels() noexcept {
     };
     std::array<Own, kMaxChannels> own;
     for (unsigned l = 0; l < kMaxChannels; ++l)
-        own[l] = {channels_[l]->feed_override, channels_[l]->rapid_override};
+        own[l] = {channels_[l]->panel().feed_override, channels_[l]->panel().rapid_override};
     const auto stands = [&](unsigned l) {
         const ChannelState state = channels_[l]->state();
         return state == ChannelState::Held || state == ChannelState::ProgramStop ||
@@ -295,13 +295,14 @@ void Machine::run_channels() noexcept {
             channels_[l]->idle() || channels_[with - 1]->idle())
             continue;
         const bool held = stands(l) || stands(with - 1);
-        channels_[l]->feed_override = held ? 0.0 : std::min(own[l].feed, own[with - 1].feed);
-        channels_[l]->rapid_override = held ? 0.0 : own[l].rapid;
+        channels_[l]->panel().feed_override =
+            held ? 0.0 : std::min(own[l].feed, own[with - 1].feed);
+        channels_[l]->panel().rapid_override = held ? 0.0 : own[l].rapid;
     }
     for (auto& channel : channels_) channel->run();
     for (unsigned l = 0; l < kMaxChannels; ++l) {
-        channels_[l]->feed_override = own[l].feed;
-        channels_[l]->rapid_override = own[l].rapid;
+        channels_[l]->panel().feed_override = own[l].feed;
+        channels_[l]->panel().rapid_override = own[l].rapid;
     }
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         Core::ProgramCall& call = core_.program_calls[l];

@@ -85,7 +85,7 @@ void Machine::count_totals() noexcept {
         totals.spend(l, activity, ms);
         if (ran && !activity.operates) totals.timers_due();
         const bool cuts =
-            activity.cuts && (channels_[l]->keys & (kKeyDryRun | kKeyMachineLock)) == 0;
+            activity.cuts && (channels_[l]->panel().keys & (kKeyDryRun | kKeyMachineLock)) == 0;
         core_.tools.spend(core_, l, cuts, core_.config.tick_s,
                           channels_[l]->path_speed() * core_.config.tick_s);
         if ((ran && !activity.operates) || core_.end_run) (void)core_.tools.flush(core_, l);

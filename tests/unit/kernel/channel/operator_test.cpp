@@ -334,7 +334,7 @@ TEST(Operator, MarksOfThePlcAreKeysAsLongAsTheyAreSet) {
     const auto set = [&](PlcSignal mark, double value) {
         rig.command(CommandKind::SetSignal, 0, value, 0, mark(1), kSlotOfPlc);
         rig.run(2);
-        return rig.machine->channel(0).keys;
+        return rig.machine->channel(0).panel().keys;
     };
     EXPECT_EQ(set(signals::blkskip2, 1), kKeyBlockSkip1 << 1);
     EXPECT_EQ(set(signals::m01stop, 1), kKeyBlockSkip1 << 1 | kKeyOptionalStop);
@@ -373,7 +373,7 @@ TEST(Operator, IsToldTheLanguageAndWhatIsChosenBesideTheKeys) {
     rig.command(CommandKind::IgnoreWaits, 1, 1);
     rig.run(2);
     EXPECT_NE(told().keys & kKeyIgnoreWaits, 0u);
-    EXPECT_EQ(rig.machine->channel(0).keys & kKeyIgnoreWaits, 0u) << "told, not pressed";
+    EXPECT_EQ(rig.machine->channel(0).panel().keys & kKeyIgnoreWaits, 0u) << "told, not pressed";
     rig.command(CommandKind::IgnoreWaits, 1, 0);
     rig.run(2);
     EXPECT_EQ(told().keys & kKeyIgnoreWaits, 0u);
