@@ -9,20 +9,26 @@
 
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/image/balance.hpp"
+#include "ipc/machine/language_traits.hpp"
 
 namespace polyturn {
 
 inline constexpr std::int32_t kWaitAtProgramEnd = 1'000'000'100;  // code of WAITE
 
+inline constexpr std::string_view kWaitAtProgramEndWord = "WAITE";
+
+inline std::string wait_name(const LanguageTraits& language, std::int32_t code) {
+    if (code == kWaitAtProgramEnd) return std::string(kWaitAtProgramEndWord);
+    return std::string(language.wait_prefix) + std::to_string(code) +
+           std::string(language.wait_suffix);
+}
 inline std::string wait_name(Dialect language, std::int32_t code) {
-    if (code == kWaitAtProgramEnd) return "WAITE";
-    if (language == Dialect::Sinumerik) return "WAITM(" + std::to_string(code) + ")";
-    return "M" + std::to_string(code);
+    return wait_name(traits_of(language), code);
 }
 
 // The code of a wait that events name by its word: WAITE, and G68 and G69 of balance cutting.
 inline std::optional<std::int32_t> wait_code_of(std::string_view word) {
-    if (word == "WAITE") return kWaitAtProgramEnd;
+    if (word == kWaitAtProgramEndWord) return kWaitAtProgramEnd;
     if (word == "G68") return kBalanceMeeting;
     if (word == "G69") return kBalanceEnd;
     return std::nullopt;

@@ -37,16 +37,15 @@ void Channel::tell(ChannelEventKind kind, std::uint64_t of_record, double value,
 // The language of what runs: of the selected program, where its job says one; a block by hand is in
 // that of the machine.
 Dialect Channel::speaks() const noexcept {
-    return program.mode != ChannelMode::Mdi && !hand.run() && process.language != Dialect::Polyturn
+    return program.mode != ChannelMode::Mdi && !hand.run() && process.says_language()
                ? process.language
                : core.config.channels[index].language;
 }
 
 double Channel::feed_factor() const noexcept {
-    constexpr double kMost = 2.0;
-    return std::min(panel.feed_override, speaks() == Dialect::Fagor
-                                             ? core.config.channels[index].fagor_feed_override_max
-                                             : kMost);
+    const ChannelConfig& config = core.config.channels[index];
+    return std::min(panel.feed_override, traits().override_ranges ? config.feed_override_end
+                                                                  : config.feed_override_max);
 }
 
 }  // namespace polyturn::kernel

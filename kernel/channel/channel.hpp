@@ -10,6 +10,7 @@
 
 #include "ipc/image/interrupt_inputs.hpp"
 #include "ipc/kinematics/kinematics.hpp"
+#include "ipc/machine/language_traits.hpp"
 #include "kernel/by_hand/positioning_program.hpp"
 #include "kernel/channel/parts/block_shown.hpp"
 #include "kernel/channel/parts/channel_path.hpp"
@@ -66,6 +67,7 @@ struct Channel {
     // The language of what runs: of the selected program, where its job says one; a block by hand
     // is in that of the machine.
     Dialect speaks() const noexcept;
+    const LanguageTraits& traits() const noexcept { return traits_of(speaks()); }
     double feed_factor() const noexcept;  // the effective feed override
 
     // The program stands, and this is why.

@@ -238,7 +238,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
                   (c_.core.signals.plc(signals::cp_nowt(c_.number)) ? kKeyIgnoreWaits : 0u) |
                   (c_.retrace.way == Retrace::Way::Back ? kKeyRetrace : 0u);
     // of the selected program, in MDI too
-    status.speaks = static_cast<std::uint32_t>(c_.process.language != Dialect::Polyturn
+    status.speaks = static_cast<std::uint32_t>(c_.process.says_language()
                                                    ? c_.process.language
                                                    : c_.core.config.channels[c_.index].language);
     status.skipped = c_.standing.skip.came ? 1 : 0;

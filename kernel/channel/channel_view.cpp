@@ -81,7 +81,7 @@ bool ChannelView::can_go_on() const noexcept {
 }
 
 bool ChannelView::holds_surface_speed() const noexcept {
-    return c_.speaks() == Dialect::Sinumerik && c_.process.segment && c_.path.rapid &&
+    return c_.traits().rapid_holds_surface_speed && c_.process.segment && c_.path.rapid &&
            !c_.thread.moving() && c_.program.runs();
 }
 

@@ -53,6 +53,7 @@ public:
     // its program runs.
     WaitBoard::Standing standing() const noexcept;
     Dialect speaks() const noexcept { return c_.speaks(); }
+    const LanguageTraits& traits() const noexcept { return c_.traits(); }
     double feed_factor() const noexcept { return c_.feed_factor(); }
     // The program has set the spindle override: the operator's rests (fagor PRGSSO).
     bool own_spindle_override() const noexcept {

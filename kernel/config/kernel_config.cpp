@@ -110,8 +110,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.rapid_key_factor = p::get(t, p::n0313_feed_mult, l);
     channel.feed_override_in_rapid = p::get(t, p::fg_rapidovr, l) != 0;
     channel.language = dialect_of(p::get_text(t, p::pt_language, l));
-    // The panel's switch has 120 % at its end, and MAXFOVR caps it (fagor part 1, 5.2).
-    channel.fagor_feed_override_max =
+    // such a switch has 120 % at its end, and MAXFOVR caps it (fagor part 1, 5.2)
+    channel.feed_override_end =
         std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
     channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);
     channel.stops_at_wanted = p::get(t, p::pt_parts_stop, l) != 0;

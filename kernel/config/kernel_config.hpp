@@ -69,9 +69,9 @@ struct ChannelConfig {
     bool feed_override_in_rapid = false;  // FG.RAPIDOVR
     // PT_LANGUAGE; a job may say another one (Channel::speaks)
     Dialect language = Dialect::Fanuc;
-    // the panel's switch has 120 % at its end, and FG.MAXFOVR caps it (fagor part 1, 5.2); 1 is 100
-    // %
-    double fagor_feed_override_max = 1.2;
+    // most that the feed switch does, 1 is 100 %: in any language, and where the language has an end
+    // of its own (LanguageTraits::override_ranges)
+    double feed_override_max = 2.0, feed_override_end = 1.2;
     double default_feed = 0, default_feed_rev = 0;  // N0300, N0301
     bool inch = false, per_revolution = false;      // N0104 IND; N1301 G95
     std::uint32_t surface_speed_axis = 0;           // from 1

@@ -174,7 +174,7 @@ void spindle_mode(Channel& c, const PathRecord& r) noexcept {
     switch (mode) {
         case SpindleModeCode::Rpm:
             // G92 S: the keys do not go beyond (part 1, 4.4.1)
-            if (c.speaks() == Dialect::Fagor && r.shape[0] > 0)
+            if (c.traits().speed_limit_caps_override && r.shape[0] > 0)
                 spindle.demand_speed(std::fabs(r.value), r.shape[0]);
             else
                 spindle.demand_speed(std::fabs(r.value));

@@ -11,12 +11,12 @@ constexpr double kDisplacedDeg = 1e-3;
 }  // namespace
 
 // The operator's override of this spindle: none in a tapping cycle, and none while the program sets
-// its own (fagor part 2, 11.2.10: program before panel); in the language fagor from MINSOVR to
-// MAXSOVR (part 1, 5.3).
+// its own (fagor part 2, 11.2.10: program before panel); where the language has a range for
+// the switch, from MINSOVR to MAXSOVR (fagor part 1, 5.3).
 double Machine::operator_share(const SpindleUnit& spindle) const noexcept {
     if (spindle.owner == 0) return spindle.override_factor;
     if (channels_[spindle.owner - 1]->own_spindle_override()) return 1.0;
-    if (channels_[spindle.owner - 1]->speaks() != Dialect::Fagor) return spindle.override_factor;
+    if (!channels_[spindle.owner - 1]->traits().override_ranges) return spindle.override_factor;
     const SpindleConfig& config = spindle.config();
     return std::min(std::max(spindle.override_factor, config.override_min), config.override_max);
 }

@@ -3,8 +3,10 @@
 // where they are used; this file has the range of a command's numbers.
 #pragma once
 #include <cmath>
+#include <iterator>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/diagnosis/languages.hpp"
 #include "ipc/image/commands.hpp"
 #include "kernel/tick/signals.hpp"
 
@@ -61,7 +63,7 @@ inline const char* fault_of(const Command& c) noexcept {
         case CommandKind::Mode:
             return among(0, static_cast<double>(ChannelMode::Reference));
         case CommandKind::Select:
-            return among(0, static_cast<double>(Dialect::Mefi));
+            return among(0, static_cast<double>(std::size(kProgramLanguages)));
         case CommandKind::Scope:
             return among(0, static_cast<double>(ScopeKind::Input));
         case CommandKind::DriveFault:

@@ -21,7 +21,8 @@ struct ProcessLink {
     Life life = Life::Live;
     std::int64_t stopped_since = 0;
     bool selected = false;                 // a program, in the process that is there now
-    Dialect language = Dialect::Polyturn;  // of the selected program; Polyturn: PT_LANGUAGE
+    Dialect language{};  // of the selected program, where its job says one
+    bool says_language() const noexcept { return language != Dialect{}; }  // else PT_LANGUAGE
     std::unique_ptr<ProgramNames> names = std::make_unique<ProgramNames>();
 
     bool attached() const noexcept { return segment != nullptr; }

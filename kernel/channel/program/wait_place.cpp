@@ -16,12 +16,10 @@ void stand_at_wait(Channel& c, const PathRecord& r) noexcept {
 
 void write_code(const Channel& c, ShortText& text) noexcept {
     const std::int32_t code = c.core.waits.at(c.index).code;
-    if (c.speaks() == Dialect::Sinumerik && code == WaitBoard::kProgramEnd)
-        text << "WAITE";
-    else if (c.speaks() == Dialect::Sinumerik)
-        text << "WAITM(" << code << ")";
+    if (code == WaitBoard::kProgramEnd)
+        text << kWaitAtProgramEndWord;
     else
-        text << "M" << code;
+        text << c.traits().wait_prefix << code << c.traits().wait_suffix;
 }
 
 void describe_wait(Channel& c, ShortText& text) noexcept {
