@@ -15,29 +15,40 @@
 #include "channels/engine/block_run.hpp"
 #include "channels/language.hpp"
 #include "channels/state/core.hpp"
-#include "channels/text/line_source.hpp"
 
 namespace polyturn::channels::engine {
 
 // What a language gives. Execution has `Core core` and `BlockRun run` (or references to them).
+// Where an optional Step is given, nothing means: go on with the next station.
 template <class L>
-concept BlockLanguage = requires(typename L::Execution& x, LineSource::Status why, Fault fault) {
-    // The second half of a block whose barrier has been passed; nothing: there is none.
+concept BlockLanguage = requires(typename L::Execution& x, const Fault& fault) {
+    // The second half of a block whose barrier has been passed.
     { L::goes_on(x) } -> std::same_as<std::optional<Step>>;
-    // What comes to its end before the next block is read; nothing: nothing does.
+    // What comes to its end before the next block is read.
     { L::before_line(x) } -> std::same_as<std::optional<Step>>;
     // Block `run.serial` begins here: its resume point.
     { L::note_block(x) } -> std::same_as<void>;
-    // The next line, or what is left of the last one; Line: it is kept.
-    { L::next_line(x) } -> std::same_as<LineSource::Status>;
-    // There is none.
-    { L::end_of_text(x) } -> std::same_as<Step>;
-    { L::unreadable(x, why) } -> std::same_as<Step>;
+    // The next line is kept, or what is left of the last one. A step: there is none, or it cannot
+    // be read.
+    { L::next_line(x) } -> std::same_as<std::optional<Step>>;
     // The block of the line that was kept.
     { L::block(x) } -> std::same_as<Step>;
     // Reports it with its place.
     { L::fault(x, fault) } -> std::same_as<Step>;
 };
+
+// The next block, or the same one once more.
+template <BlockLanguage L>
+Step read_block(typename L::Execution& x) {
+    if (!x.run.reread) {
+        if (const auto done = L::before_line(x)) return *done;
+        x.core.at.serial = ++x.run.serial;
+        L::note_block(x);
+        if (const auto done = L::next_line(x)) return *done;
+    }
+    x.run.reread = false;
+    return L::block(x);
+}
 
 template <BlockLanguage L>
 Step step(typename L::Execution& x) {
@@ -52,16 +63,7 @@ Step step(typename L::Execution& x) {
             break;
     }
     if (const auto done = L::goes_on(x)) return *done;
-    if (!x.run.reread) {
-        if (const auto done = L::before_line(x)) return *done;
-        x.core.at.serial = ++x.run.serial;
-        L::note_block(x);
-        const LineSource::Status status = L::next_line(x);
-        if (status == LineSource::Status::End) return L::end_of_text(x);
-        if (status != LineSource::Status::Line) return L::unreadable(x, status);
-    }
-    x.run.reread = false;
-    return L::block(x);
+    return read_block<L>(x);
 }
 
 }  // namespace polyturn::channels::engine

@@ -142,24 +142,26 @@ struct Stations {
         else
             x.values.begin_block(x.run.serial);
     }
-    static LineSource::Status next_line(Execution& x) {
+    static std::optional<Step> next_line(Execution& x) {
         std::string_view line;
-        const LineSource::Status status = x.calls.source().next(line);
-        if (status != LineSource::Status::Line) return status;
+        switch (x.calls.source().next(line)) {
+            case LineSource::Status::Line:
+                break;
+            case LineSource::Status::End:
+                return end_of_text(x);
+            case LineSource::Status::TooLong:
+                return fault_at(x, Alarm::LineTooLong, 0, 0);
+            case LineSource::Status::ReadError:
+                return fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+        }
         x.line.take(line);
         x.line.at = x.calls.source().position();
         x.line.is_first = x.line.at.line == 1;
         x.core.at.line = x.line.at.line;
-        return status;
-    }
-    static Step end_of_text(Execution& x) { return fagor::end_of_text(x); }
-    static Step unreadable(Execution& x, LineSource::Status why) {
-        return why == LineSource::Status::TooLong
-                   ? fault_at(x, Alarm::LineTooLong, 0, 0)
-                   : fault_at(x, Alarm::FileUnreadable, 0, 0, "reading failed");
+        return std::nullopt;
     }
     static Step block(Execution& x) { return read_block(x); }
-    static Step fault(Execution& x, Fault why) { return fagor::fault(x, std::move(why)); }
+    static Step fault(Execution& x, const Fault& why) { return fagor::fault(x, why); }
 };
 
 }  // namespace

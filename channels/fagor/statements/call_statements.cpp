@@ -11,7 +11,7 @@
 
 namespace polyturn::channels::fagor {
 
-Flow goto_statement(Execution& x, const char*& at, const char* end) {
+Flow goto_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t label = 0;
     if (const Flow flow = number_of_statement(x, at, end, 'N', label); flow != Flow::Done)
@@ -22,7 +22,7 @@ Flow goto_statement(Execution& x, const char*& at, const char* end) {
     return Flow::Done;
 }
 
-Flow rpt_statement(Execution& x, const char*& at, const char* end) {
+Flow rpt_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t first = 0, last = 0, program = -1;
     if (const Flow flow = number_of_statement(x, at, end, 'N', first); flow != Flow::Done)
@@ -64,14 +64,14 @@ Flow rpt_statement(Execution& x, const char*& at, const char* end) {
 }
 
 // CALL (e); PCALL and MCALL with assignments of local parameters.
-Flow call_statement(Execution& x, const char*& at, const char* end, std::string_view how) {
+Flow call_statement(Execution& x, std::string_view word, const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t number = 0;
     if (const Flow flow = number_of_statement(x, at, end, 0, number); flow != Flow::Done)
         return flow;
     LocalSet arguments{};
     std::uint32_t given = 0;
-    for (int count = 0; how != "CALL" && comma(at, end); ++count) {
+    for (int count = 0; word != "CALL" && comma(at, end); ++count) {
         const char* const item = at;
         if (count == 26) return flow_fault(x, Alarm::WordsTooMany, item);
         Target to;
@@ -82,7 +82,7 @@ Flow call_statement(Execution& x, const char*& at, const char* end, std::string_
         if (at != end && *at == '=')
             ++at;
         else if (!to.by_letter)
-            return flow_fault(x, Alarm::FagorStatement, item, 1, std::string(how));
+            return flow_fault(x, Alarm::FagorStatement, item, 1, std::string(word));
         double value = 0.0;
         if (const Flow flow = evaluate(x, at, end, value); flow != Flow::Done) return flow;
         arguments[static_cast<std::size_t>(to.number)] = value;
@@ -91,20 +91,18 @@ Flow call_statement(Execution& x, const char*& at, const char* end, std::string_
     if (const Flow flow = nothing_follows(x, at, end); flow != Flow::Done) return flow;
     CallFrame frame;
     frame.given = given;
-    if (how == "MCALL") {
+    if (word == "MCALL") {
         if (inside_modal_call(x))
             return flow_fault(x, Alarm::FagorStatement, begin, 1, "MCALL in a modal subroutine");
         x.modal.modal_call = {ModalCall::Kind::Subroutine, number, arguments, given};
         frame.modal = true;
     }
-    if (call_subroutine(x, number, frame, how == "CALL" ? nullptr : &arguments)) return Flow::Done;
-    x.line.fault.column = static_cast<std::uint32_t>(begin - x.line.text.data()) + 1;
-    x.line.fault.length = 1;
-    return Flow::Fault;
+    if (call_subroutine(x, number, frame, word == "CALL" ? nullptr : &arguments)) return Flow::Done;
+    return fault_stands_at(x, begin);
 }
 
 // A definition that the program comes to is passed over.
-Flow skip_definition(Execution& x, const char*& at, const char* end) {
+Flow skip_definition(Execution& x, std::string_view, const char*& at, const char* end) {
     std::int64_t number = 0;
     const char* const begin = at;
     if (const Flow flow = number_of_statement(x, at, end, 0, number); flow != Flow::Done)
@@ -126,31 +124,41 @@ Flow skip_definition(Execution& x, const char*& at, const char* end) {
     return flow_fault(x, Alarm::ProgramNotEnded, begin, 1, "RET");
 }
 
-Flow exec_statement(Execution& x, const char*& at, const char* end, bool modal) {
+Flow exec_statement(Execution& x, std::string_view word, const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t number = 0;
     if (const Flow flow = number_of_statement(x, at, end, 'P', number); flow != Flow::Done)
         return flow;
     if (comma(at, end) && !folder(at, end))
-        return flow_fault(x, Alarm::FagorStatement, at == end ? begin : at, 1,
-                          modal ? "MEXEC" : "EXEC");
+        return flow_fault(x, Alarm::FagorStatement, at == end ? begin : at, 1, std::string(word));
     if (const Flow flow = nothing_follows(x, at, end); flow != Flow::Done) return flow;
     CallFrame frame;
-    if (modal) {
+    if (word == "MEXEC") {
         if (inside_modal_call(x))
             return flow_fault(x, Alarm::FagorExecForbidden, begin, 1, "P" + std::to_string(number));
         x.modal.modal_call = {ModalCall::Kind::Program, number, {}, 0};
         frame.modal = true;
     }
     if (call_program(x, number, frame)) return Flow::Done;
-    x.line.fault.column = static_cast<std::uint32_t>(begin - x.line.text.data()) + 1;
-    x.line.fault.length = 1;
-    return Flow::Fault;
+    return fault_stands_at(x, begin);
+}
+
+Flow ret_statement(Execution& x, std::string_view word, const char*& at, const char* end) {
+    if (x.calls.here().kind != CallFrame::Kind::Subroutine)
+        return flow_fault(x, Alarm::FagorReturn, word.data(), word.size());
+    if (const Flow flow = nothing_follows(x, at, end); flow != Flow::Done) return flow;
+    x.run.called = true;
+    return return_from_frame(x) ? Flow::Done : Flow::Fault;
+}
+
+Flow mdoff_statement(Execution& x, std::string_view, const char*&, const char*) {
+    x.modal.modal_call = {};
+    return Flow::Done;
 }
 
 // Back to where the interrupt has stopped the program, axis by axis; those of the plane together
 // (12.6).
-Flow repos_statement(Execution& x, const char*& at, const char* end) {
+Flow repos_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     const CallFrame* interrupt = nullptr;
     for (const CallFrame& frame : x.calls.frames())

@@ -14,4 +14,16 @@ void tell_control(Execution& x, bool group_ends) {
     x.core.tell_control(bits);
 }
 
+Flow control_statement(Execution& x, std::string_view word, const char*&, const char*) {
+    const bool block = word == "ESBLK" || word == "DSBLK";
+    if (block)
+        x.modal.one_block = word == "ESBLK";
+    else if (word == "DSTOP" || word == "ESTOP")
+        x.modal.stop_disabled = word == "DSTOP";
+    else
+        x.modal.hold_disabled = word == "DFHOLD";
+    tell_control(x, block && !x.modal.one_block);
+    return Flow::Done;
+}
+
 }  // namespace polyturn::channels::fagor

@@ -29,6 +29,12 @@ Flow flow_fault(Execution& x, Alarm alarm, const char* at, std::size_t length, s
     return Flow::Fault;
 }
 
+Flow fault_stands_at(Execution& x, const char* at) {
+    x.line.fault.column = static_cast<std::uint32_t>(at - x.line.text.data()) + 1;
+    x.line.fault.length = 1;
+    return Flow::Fault;
+}
+
 Flow evaluate(Execution& x, const char*& at, const char* end, double& value) {
     return flow_of(x, x.parsers.expression.evaluate(at, end, value));
 }

@@ -14,6 +14,10 @@ struct Execution;
 // How a statement, or a part of one, has ended.
 enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
 
+// What a statement does. `word`: its name, where it stands in the line; `at`: behind it.
+using StatementAct = Flow (*)(Execution& x, std::string_view word, const char*& at,
+                              const char* end);
+
 // Each of the following moves `at` behind what it has read.
 inline std::string_view letters_at(const char* at, const char* end) {
     const char* q = at;
@@ -33,6 +37,8 @@ inline bool comma(const char*& at, const char* end) {
 // Notes a fault at this place of the line.
 Flow flow_fault(Execution& x, Alarm alarm, const char* at, std::size_t length = 1,
                 std::string detail = {}, double value = 0.0);
+// A fault that is noted already stands at this place.
+Flow fault_stands_at(Execution& x, const char* at);
 Flow evaluate(Execution& x, const char*& at, const char* end, double& value);
 Flow read_target(Execution& x, const char*& at, const char* end, Target& to);
 // What jumps or calls asks this before it does so: of a block that cannot be read nothing is done.

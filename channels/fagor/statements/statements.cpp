@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "channels/fagor/execution.hpp"
-#include "channels/fagor/flow/calls.hpp"
 #include "channels/fagor/flow/fault.hpp"
 #include "channels/fagor/flow/step.hpp"
 #include "channels/fagor/statements/call_statements.hpp"
@@ -34,9 +33,6 @@ const char* else_in(const char* at, const char* end) {
     return end;
 }
 
-constexpr std::string_view kCustomizing[] = {"PAGE", "SYMBOL", "IB",   "ODW",  "DW",    "DWH",
-                                             "DWB",  "SK",     "WKEY", "WBUF", "SYSTEM"};
-
 Flow run_statement(Execution& x, const char*& at, const char* end, bool inside_if);
 
 Flow assign(Execution& x, const Target& to, double value, const char* at) {
@@ -50,9 +46,7 @@ Flow assign(Execution& x, const Target& to, double value, const char* at) {
         case Access::Unknown:
             return flow_fault(x, Alarm::VariableUnknown, at, 1, target_name(to));
         case Access::Fault:
-            x.line.fault.column = static_cast<std::uint32_t>(at - x.line.text.data()) + 1;
-            x.line.fault.length = 1;
-            return Flow::Fault;
+            return fault_stands_at(x, at);
     }
     return Flow::Done;
 }
@@ -90,7 +84,7 @@ Flow assignments(Execution& x, const char*& at, const char* end) {
     }
 }
 
-Flow if_statement(Execution& x, const char*& at, const char* end) {
+Flow if_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     double value = 0.0;
     if (const Flow flow = evaluate(x, at, end, value); flow != Flow::Done) return flow;
     const char* const otherwise = else_in(at, end);
@@ -114,7 +108,7 @@ Flow if_statement(Execution& x, const char*& at, const char* end) {
     return Flow::Done;
 }
 
-Flow message_statement(Execution& x, const char*& at, const char* end) {
+Flow message_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     std::string text;
     if (!quoted(at, end, text)) return flow_fault(x, Alarm::FagorStatement, begin, 1, "MSG");
@@ -125,7 +119,7 @@ Flow message_statement(Execution& x, const char*& at, const char* end) {
 }
 
 // A number, a text, or both: the program ends with this error.
-Flow error_statement(Execution& x, const char*& at, const char* end) {
+Flow error_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     std::string text;
     double number = 0.0;
@@ -143,82 +137,85 @@ Flow error_statement(Execution& x, const char*& at, const char* end) {
     return x.core.program_alarm(x.facts.message, std::nearbyint(number)) ? Flow::Done : Flow::Fault;
 }
 
+// What the screen shows; the values must be right all the same.
+Flow dgwz_statement(Execution& x, std::string_view word, const char*& at, const char* end) {
+    for (int k = 0; k < 4; ++k) {
+        double value = 0.0;
+        if (const Flow flow = evaluate(x, at, end, value); flow != Flow::Done) return flow;
+        blanks(at, end);
+        if (k < 3 && (at == end || *at++ != ','))
+            return flow_fault(x, Alarm::FagorStatement, word.data(), word.size(), "DGWZ");
+    }
+    return Flow::Done;
+}
+
+// Statements of the user's own screens.
+Flow customizing_statement(Execution& x, std::string_view word, const char*&, const char*) {
+    return flow_fault(x, Alarm::FagorUserChannel, word.data(), word.size(), std::string(word));
+}
+
+struct StatementRow {
+    std::string_view word;
+    StatementAct act;
+};
+constexpr StatementRow kStatements[] = {
+    {"IF", if_statement},
+    {"MSG", message_statement},
+    {"ERROR", error_statement},
+    {"RPT", rpt_statement},
+    {"CALL", call_statement},
+    {"PCALL", call_statement},
+    {"MCALL", call_statement},
+    {"MDOFF", mdoff_statement},
+    {"SUB", skip_definition},
+    {"RET", ret_statement},
+    {"EXEC", exec_statement},
+    {"MEXEC", exec_statement},
+    {"OPEN", open_statement},
+    {"WRITE", write_statement},
+    {"REPOS", repos_statement},
+    {"ESBLK", control_statement},
+    {"DSBLK", control_statement},
+    {"DSTOP", control_statement},
+    {"ESTOP", control_statement},
+    {"DFHOLD", control_statement},
+    {"EFHOLD", control_statement},
+    {"DGWZ", dgwz_statement},
+    {"PAGE", customizing_statement},
+    {"SYMBOL", customizing_statement},
+    {"IB", customizing_statement},
+    {"ODW", customizing_statement},
+    {"DW", customizing_statement},
+    {"DWH", customizing_statement},
+    {"DWB", customizing_statement},
+    {"SK", customizing_statement},
+    {"WKEY", customizing_statement},
+    {"WBUF", customizing_statement},
+    {"SYSTEM", customizing_statement},
+};
+
 Flow run_statement(Execution& x, const char*& at, const char* end, bool inside_if) {
     blanks(at, end);
     if (at == end) return flow_fault(x, Alarm::FagorStatement, at, 1, "()");
     const std::string_view word = letters_at(at, end);
-    const char* const begin = at;
-    const auto is = [&](std::string_view name) {
-        if (word != name) return false;
-        at += name.size();
-        blanks(at, end);
-        return true;
-    };
     // The count behind IF belongs to the RPT in it.
     const bool counts =
         word == "RPT" || inside_if ||
         (word == "IF" && std::string_view(at, end).find("RPT") != std::string_view::npos);
     if (x.line.block.repeat >= 0 && !counts)
-        return flow_fault(x, Alarm::FagorRepeat, begin, word.size());
+        return flow_fault(x, Alarm::FagorRepeat, at, word.size());
     if (inside_if && (word == "IF" || word == "SUB"))
-        return flow_fault(x, Alarm::FagorStatement, begin, word.size(),
-                          std::string(word) + " in IF");
-    if (is("IF")) return if_statement(x, at, end);
-    if (is("MSG")) return message_statement(x, at, end);
-    if (is("ERROR")) return error_statement(x, at, end);
-    if (word.starts_with("GOTO")) {
+        return flow_fault(x, Alarm::FagorStatement, at, word.size(), std::string(word) + " in IF");
+    if (word.starts_with("GOTO")) {  // the letter of the label follows without a blank
         at += 4;
-        return goto_statement(x, at, end);
+        return goto_statement(x, word, at, end);
     }
-    if (is("RPT")) return rpt_statement(x, at, end);
-    if (is("CALL")) return call_statement(x, at, end, "CALL");
-    if (is("PCALL")) return call_statement(x, at, end, "PCALL");
-    if (is("MCALL")) return call_statement(x, at, end, "MCALL");
-    if (is("MDOFF")) {
-        x.modal.modal_call = {};
-        return Flow::Done;
+    for (const StatementRow& row : kStatements) {
+        if (word != row.word) continue;
+        at += word.size();
+        blanks(at, end);
+        return row.act(x, word, at, end);
     }
-    if (is("SUB")) return skip_definition(x, at, end);
-    if (is("RET")) {
-        if (x.calls.here().kind != CallFrame::Kind::Subroutine)
-            return flow_fault(x, Alarm::FagorReturn, begin, 3);
-        if (const Flow flow = nothing_follows(x, at, end); flow != Flow::Done) return flow;
-        x.run.called = true;
-        return return_from_frame(x) ? Flow::Done : Flow::Fault;
-    }
-    if (is("EXEC")) return exec_statement(x, at, end, false);
-    if (is("MEXEC")) return exec_statement(x, at, end, true);
-    if (is("OPEN")) return open_statement(x, at, end);
-    if (is("WRITE")) return write_statement(x, at, end);
-    if (is("REPOS")) return repos_statement(x, at, end);
-    if (is("ESBLK") || is("DSBLK")) {
-        x.modal.one_block = word == "ESBLK";
-        tell_control(x, !x.modal.one_block);
-        return Flow::Done;
-    }
-    if (is("DSTOP") || is("ESTOP")) {
-        x.modal.stop_disabled = word == "DSTOP";
-        tell_control(x, false);
-        return Flow::Done;
-    }
-    if (is("DFHOLD") || is("EFHOLD")) {
-        x.modal.hold_disabled = word == "DFHOLD";
-        tell_control(x, false);
-        return Flow::Done;
-    }
-    if (is("DGWZ")) {  // what the screen shows; the values must be right all the same
-        for (int k = 0; k < 4; ++k) {
-            double value = 0.0;
-            if (const Flow flow = evaluate(x, at, end, value); flow != Flow::Done) return flow;
-            blanks(at, end);
-            if (k < 3 && (at == end || *at++ != ','))
-                return flow_fault(x, Alarm::FagorStatement, begin, 4, "DGWZ");
-        }
-        return Flow::Done;
-    }
-    for (const std::string_view name : kCustomizing)
-        if (word == name)
-            return flow_fault(x, Alarm::FagorUserChannel, begin, word.size(), std::string(word));
     return assignments(x, at, end);
 }
 

@@ -23,7 +23,7 @@ bool folder(const char*& at, const char* end) {
     return false;
 }
 
-Flow open_statement(Execution& x, const char*& at, const char* end) {
+Flow open_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     const char* const begin = at;
     std::int64_t number = 0;
     if (const Flow flow = number_of_statement(x, at, end, 'P', number); flow != Flow::Done)
@@ -63,7 +63,7 @@ Flow open_statement(Execution& x, const char*& at, const char* end) {
 }
 
 // ISO words take the values of their parameters; in a statement only parameters behind ? do.
-Flow write_statement(Execution& x, const char*& at, const char* end) {
+Flow write_statement(Execution& x, std::string_view, const char*& at, const char* end) {
     if (x.modal.writing < 0)
         return flow_fault(x, Alarm::FagorWriteClosed, at == end ? at - 1 : at, 1);
     blanks(at, end);

@@ -9,8 +9,8 @@ struct Execution;
 // The name of the folder in which a program lies: all of them are one place here.
 bool folder(const char*& at, const char* end);
 
-Flow open_statement(Execution& x, const char*& at, const char* end);
-Flow write_statement(Execution& x, const char*& at, const char* end);
+Flow open_statement(Execution& x, std::string_view, const char*& at, const char* end);
+Flow write_statement(Execution& x, std::string_view, const char*& at, const char* end);
 // The program that was open is complete: it goes into the program memory, where there is one.
 bool keep_written(Execution& x);
 
