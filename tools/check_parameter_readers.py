@@ -19,7 +19,7 @@ QUOTED = re.compile(r'"(PT_[A-Z0-9_]+|[NF][0-9]{4})"')   # a PLC asks for its pa
 SERIES = re.compile(r"\b(?:numbered|in_row)\((2[0-9]{3})\b")          # ... or by the number of the first of a series
 # Names that a source makes, or hands on: parameter -> where.
 MADE = {f"N{n:04}": ("toolmgmt/operations/offset_operations.cpp", "N0205") for n in range(205, 217)}
-MADE |= {name: ("channels/sinumerik/axes/speed_limits.cpp", name) for name in ("SD43210", "SD43220", "SD43230")}
+MADE |= {name: ("channels/sinumerik/spindles/speed_limits.cpp", name) for name in ("SD43210", "SD43220", "SD43230")}
 SILENT = ("without effect", "reserved", "not used", "no effect")
 HANDLE = re.compile(r"\b(?:n[0-9]{4}_[a-z0-9_]+|pt_[a-z0-9_]+|f[0-9]{4}|md[0-9]{5}|sd[0-9]{5}|fg_[a-z0-9_]+|mefi_[0-9]+)\b")
 

@@ -1,5 +1,4 @@
-// What holds from block to block, and the levels of programs that are running: together a resume
-// state.
+// What holds from block to block.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/program_files.hpp"
-#include "channels/sinumerik/axes/curve_table.hpp"
+#include "channels/sinumerik/curve_tables/curve_table.hpp"
 #include "channels/sinumerik/geometry/geo_state.hpp"
 #include "channels/sinumerik/grammar/tables.hpp"
 #include "channels/sinumerik/tools/tool_table.hpp"
@@ -129,25 +127,6 @@ struct Modal {
     std::optional<CurveDefinition> curve;  // between CTABDEF and CTABEND
     AxisValues before_curve{};             // what was programmed before it
     GeoModal geo;
-};
-
-// A program level: main program, subprogram, or a section that REPEAT runs.
-struct Level {
-    FileId file = 0;
-    TextPosition begin;                        // first block
-    std::uint64_t end = ~std::uint64_t{0};     // sections: byte behind their last line
-    TextPosition call, resume;                 // block of the caller, and where it goes on
-    std::int64_t repeats = 0;                  // runs still to come after this one
-    bool section = false, block_only = false;  // REPEAT, REPEATB
-    bool modal_call = false;                   // called by MCALL
-    std::shared_ptr<const HolePattern> holes;  // called at a hole, others are to come
-    bool interrupt = false;       // called by an interrupt: the block behind it is read again
-    AxisValues begin_of_block{};  // its increments count from here
-    bool save = false;            // PROC ... SAVE: modal state comes back
-    bool hides_steps = false;     // PROC ... SBLOF: single block does not stop in it
-    std::string name;
-    std::shared_ptr<Scope> scope;
-    std::shared_ptr<const Modal> saved;
 };
 
 }  // namespace polyturn::channels::sinumerik

@@ -5,10 +5,17 @@
 // executed. Interpretation goes back there and the routine is called as if it were before that
 // block; behind the routine the block is read again, so that what is left of it is driven from
 // where the routine has left the axes.
-#include <cmath>
+#include "channels/sinumerik/flow/interrupts.hpp"
+
 #include <utility>
 
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/flow/calls.hpp"
+#include "channels/sinumerik/flow/run.hpp"
+#include "channels/sinumerik/geometry/lifting.hpp"
+#include "channels/sinumerik/grammar/expression.hpp"
 #include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/variables/changes.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -16,13 +23,21 @@ namespace {
 
 constexpr double kInputs = kInterruptInputs;
 
+bool interrupt_input(Execution& x, const Value& value, const char* at, int& input) {
+    if (!value.is_number() || !(value.number >= 1 && value.number <= kInputs) ||
+        value.number != static_cast<int>(value.number))
+        return fail_at(x, Alarm::InterruptIllegal, at, 1, {}, value.number);
+    input = static_cast<int>(value.number);
+    return true;
+}
+
 }  // namespace
 
 // What the kernel watches from here on: inputs that have a routine and are not switched off.
-void Interpreter::arm_interrupts() {
+void arm_interrupts(Execution& x) {
     Interrupts told;
     bool at_once = false;
-    for (const auto& [input, routine] : routines_) {
+    for (const auto& [input, routine] : x.interrupts.routines) {
         if (!routine.enabled) continue;
         told.on = true;
         told.inputs |= 1u << (input - 1);
@@ -30,127 +45,100 @@ void Interpreter::arm_interrupts() {
         at_once = at_once || !routine.at_block_end;
     }
     told.at_block_end = !at_once;
-    core_.mark_emitted();
-    core_.sink().interrupts(told, core_.at);
-    state_changed_ = true;
-}
-
-bool Interpreter::interrupt_input(const Value& value, const char* at, int& input) {
-    if (!value.is_number() || !(value.number >= 1 && value.number <= kInputs) ||
-        value.number != static_cast<int>(value.number))
-        return fail_at(Alarm::InterruptIllegal, at, 1, {}, value.number);
-    input = static_cast<int>(value.number);
-    return true;
+    x.core.mark_emitted();
+    x.core.sink().interrupts(told, x.core.at);
+    x.run.state_changed = true;
 }
 
 // SETINT(input) PRIO=n program BLSYNC LIFTFAST
-bool Interpreter::st_setint() {
-    const char* const from = cursor_.at();
+bool st_setint(Execution& x) {
+    const char* const from = x.line.cursor.at();
     Value number;
     int input = 0;
-    if (!cursor_.eat('(')) return syntax(cursor_.at(), "(");
-    if (!expression(number) || !interrupt_input(number, from, input)) return false;
-    if (!cursor_.eat(')')) return syntax(cursor_.at(), ")");
+    if (!x.line.cursor.eat('(')) return syntax(x, x.line.cursor.at(), "(");
+    if (!expression(x, number) || !interrupt_input(x, number, from, input)) return false;
+    if (!x.line.cursor.eat(')')) return syntax(x, x.line.cursor.at(), ")");
     Routine routine;
-    while (!cursor_.at_end()) {
-        const char* const at = cursor_.at();
-        const std::string word = upper(cursor_.name_ahead());
-        if (word.empty()) return syntax(at, std::string(1, cursor_.peek()));
-        cursor_.advance(word.size());
+    while (!x.line.cursor.at_end()) {
+        const char* const at = x.line.cursor.at();
+        const std::string word = upper(x.line.cursor.name_ahead());
+        if (word.empty()) return syntax(x, at, std::string(1, x.line.cursor.peek()));
+        x.line.cursor.advance(word.size());
         if (word == "PRIO") {
             Value priority;
-            if (!cursor_.at_assign()) return syntax(cursor_.at(), "=");
-            cursor_.advance(1);
-            if (!expression(priority)) return false;
+            if (!x.line.cursor.at_assign()) return syntax(x, x.line.cursor.at(), "=");
+            x.line.cursor.advance(1);
+            if (!expression(x, priority)) return false;
             if (!priority.is_number() || !(priority.number >= 1 && priority.number <= 128))
-                return fail_at(Alarm::ValueOutOfRange, at, 4, "PRIO", priority.number);
+                return fail_at(x, Alarm::ValueOutOfRange, at, 4, "PRIO", priority.number);
         } else if (word == "BLSYNC") {
             routine.at_block_end = true;
         } else if (word == "LIFTFAST") {
             routine.lifts = true;
         } else if (routine.program.empty()) {
-            if (!files_->find_name(word) && !files_->find_name(word + ".SPF") &&
-                !files_->find_name(word + ".MPF"))
-                return fail_at(Alarm::SubprogramMissing, at, word.size(), word);
+            if (!x.files.find_name(word) && !x.files.find_name(word + ".SPF") &&
+                !x.files.find_name(word + ".MPF"))
+                return fail_at(x, Alarm::SubprogramMissing, at, word.size(), word);
             routine.program = word;
         } else {
-            return syntax(at, word);
+            return syntax(x, at, word);
         }
     }
     // its continuation is not specified
     if (routine.program.empty() && routine.lifts)
-        return fail_at(Alarm::NotBuilt, from, 1, "SETINT LIFTFAST");
-    if (routine.program.empty()) return syntax(cursor_.at(), "SETINT");
-    undo([this, before = routines_] { routines_ = before; });
-    routines_[input] = routine;
-    if (!keep_states_) keep_resume_states(true);
-    arm_interrupts();
+        return fail_at(x, Alarm::NotBuilt, from, 1, "SETINT LIFTFAST");
+    if (routine.program.empty()) return syntax(x, x.line.cursor.at(), "SETINT");
+    undo(x, [&x, before = x.interrupts.routines] { x.interrupts.routines = before; });
+    x.interrupts.routines[input] = routine;
+    if (!x.run.keeps_states) keep_resume_states(x, true);
+    arm_interrupts(x);
     return true;
 }
 
-bool Interpreter::p_interrupts(Call& c) {  // ENABLE, DISABLE, CLRINT
-    const std::string_view name = block_.procedures.front().first->name;
+bool p_interrupts(Execution& x, Call& c) {  // ENABLE, DISABLE, CLRINT
+    const std::string_view name = x.block.procedures.front().first->name;
     int input = 0;
-    if (!interrupt_input(c.value(0), cursor_.begin(), input)) return false;
-    undo([this, before = routines_] { routines_ = before; });
+    if (!interrupt_input(x, c.value(0), x.line.cursor.begin(), input)) return false;
+    undo(x, [&x, before = x.interrupts.routines] { x.interrupts.routines = before; });
     if (name == "CLRINT")
-        routines_.erase(input);
-    else if (const auto found = routines_.find(input); found != routines_.end())
+        x.interrupts.routines.erase(input);
+    else if (const auto found = x.interrupts.routines.find(input);
+             found != x.interrupts.routines.end())
         found->second.enabled = name == "ENABLE";
-    arm_interrupts();
+    arm_interrupts(x);
     return true;
 }
 
 bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
-    const auto routine = routines_.find(static_cast<int>(input));
-    if (routine == routines_.end() || !routine->second.enabled || core_.compensating())
+    const auto routine = x_.interrupts.routines.find(static_cast<int>(input));
+    if (routine == x_.interrupts.routines.end() || !routine->second.enabled ||
+        x_.core.compensating())
         return false;
     const std::string program = routine->second.program;
     const bool lifts = routine->second.lifts;
     if (serial && !resume_at(serial)) return false;
-    ended_ = false;
+    x_.run.ended = false;
     // increments of the interrupted block count from here
-    const AxisValues begin = core_.path.programmed;
-    for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis))
-            core_.take_machine(i, *now);
-    if (within) core_.taps(false);  // of a tap that is broken off nothing else would end it
+    const AxisValues begin = x_.core.path.programmed;
+    for (unsigned i = 0; i < x_.core.view().axis_count; ++i)
+        if (const auto now = x_.core.port().axis_taken_over(x_.core.view().axes[i].machine_axis))
+            x_.core.take_machine(i, *now);
+    if (within) x_.core.taps(false);  // of a tap that is broken off nothing else would end it
     // it stays where it was stopped, and the alarm says why
-    if (lifts && !lift_from_contour(begin)) {
-        fault(core_.fault());
+    if (lifts && !lift_from_contour(x_, begin)) {
+        fault(x_.core.fault());
         return false;
     }
-    here_ = source_->next_position();
-    if (!call_program(program, {}, 1, false)) return false;
-    levels_.back().interrupt = true;
-    levels_.back().begin_of_block = begin;
+    x_.line.here = x_.calls.source->next_position();
+    if (!call_program(x_, program, {}, 1, false)) return false;
+    x_.calls.levels.back().interrupt = true;
+    x_.calls.levels.back().begin_of_block = begin;
     // the pattern goes on behind the routine
-    levels_.back().holes = std::exchange(modal_.holes, nullptr);
-    called_ = jumped_ = reread_ = false;
-    managed_serial_ = 0;
-    fresh_ = state_changed_ = true;
+    x_.calls.levels.back().holes = std::exchange(x_.modal.holes, nullptr);
+    x_.run.called = x_.run.jumped = x_.run.reread = false;
+    x_.run.tool_serial = 0;
+    x_.run.fresh = x_.run.state_changed = true;
     return true;
-}
-
-// LIFTFAST: before the routine the tool leaves the contour in rapid, with the words of the thread's
-// retraction (sinumerik_part2 10.10.4): DILF, ALF, LFTXT, LFWP, or to POLF by LFPOS. `begin`: where
-// the interrupted block began, which gives the tangent.
-bool Interpreter::lift_from_contour(const AxisValues& begin) {
-    AxisValues target = core_.path.programmed;
-    const auto leave = [&](std::size_t place, double by) { target[place] += by; };
-    if (active(46) == 3) {
-        lift_to_positions(leave);
-    } else {
-        const auto [p, q] = plane_places();
-        const double by_p = target[p] - begin[p], by_q = target[q] - begin[q];
-        const bool along_p = std::fabs(by_p) >= std::fabs(by_q);
-        if (!lift_in_plane(along_p ? p : q, (along_p ? by_p : by_q) < 0 ? -1.0 : 1.0,
-                           LiftSide::FromEdge, leave))
-            return false;
-    }
-    if (target == core_.path.programmed) return true;
-    written_system_["$AC_LIFTFAST"] = Value::of_int(1);
-    return within_areas(target) && core_.rapid(target);
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -8,9 +8,19 @@
 //   P3 ------'  G341; with G340 P3 is P2 and the curve comes down by itself
 //
 // What is made here are programmed moves; compensation acts on them as behind any other move.
+#include "channels/sinumerik/geometry/geo_approach.hpp"
+
 #include <cmath>
 
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/axes/axis_words.hpp"
+#include "channels/sinumerik/execution.hpp"
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/geometry/geo_compensation.hpp"
+#include "channels/sinumerik/geometry/geo_motion.hpp"
+#include "channels/sinumerik/geometry/travel_limits.hpp"
+#include "channels/sinumerik/geometry/units.hpp"
+#include "channels/sinumerik/grammar/groups.hpp"
+#include "channels/sinumerik/grammar/words.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -23,46 +33,43 @@ int applicate(const MachineView& view, Plane plane) {
     return view.axis_by_role(kRoles[static_cast<std::size_t>(plane)]);
 }
 
-}  // namespace
-
-bool Interpreter::approach_words(const GCode& code, SoftApproach& soft) {
+bool approach_words(Execution& x, const GCode& code, SoftApproach& soft) {
     soft = {};
     soft.form = static_cast<std::uint8_t>(code.name[1] == '1' ? 0 : code.name[1] == '2' ? 1 : 2);
-    soft.in_plane = active(44) == 2;
-    soft.side = static_cast<std::uint8_t>(active(43));
-    const GCode* comp = block_.coded[7];
+    soft.in_plane = active(x, 44) == 2;
+    soft.side = static_cast<std::uint8_t>(active(x, 43));
+    const GCode* comp = x.block.coded[7];
     // a retract that ends it still has it
-    soft.comp =
-        static_cast<std::uint8_t>(comp && comp->number == 1 ? modal_.geo.side_before : active(7));
-    const Word* radius = word("DISR");
-    if (!radius) return fail(Alarm::ApproachRadius);
-    soft.radius = radius->number() * unit();
-    if (soft.form != 0 && soft.radius <= 0) return fail_word(Alarm::ApproachRadius, *radius);
+    soft.comp = static_cast<std::uint8_t>(comp && comp->number == 1 ? x.modal.geo.side_before
+                                                                    : active(x, 7));
+    const Word* radius = word(x, "DISR");
+    if (!radius) return fail(x, Alarm::ApproachRadius);
+    soft.radius = radius->number() * unit(x);
+    if (soft.form != 0 && soft.radius <= 0) return fail_word(x, Alarm::ApproachRadius, *radius);
     const auto level = [&](std::string_view name, double& value, bool& has_it, bool& absolute) {
-        const Word* w = word(name);
+        const Word* w = word(x, name);
         has_it = w != nullptr;
         if (!w) return;
-        value = w->number() * unit();
+        value = w->number() * unit(x);
         absolute = w->mode == Mode::AC;
     };
     level("DISCL", soft.safety, soft.has_safety, soft.safety_absolute);
     level("DISRP", soft.retract, soft.has_retract, soft.retract_absolute);
-    if (const Word* w = word("FAD")) {
-        if (w->number() <= 0) return fail_word(Alarm::ValueOutOfRange, *w, "FAD", w->number());
-        soft.infeed = w->number() * feed_unit();
+    if (const Word* w = word(x, "FAD")) {
+        if (w->number() <= 0) return fail_word(x, Alarm::ValueOutOfRange, *w, "FAD", w->number());
+        soft.infeed = w->number() * feed_unit(x);
         soft.infeed_mode = w->mode == Mode::PM ? 1 : w->mode == Mode::PR ? 2 : 0;
     }
-    soft.has_feed = has("F");
-    soft.feed = core_.path.feed;
-    soft.rapid = modal_.active[1] == 1;
-    soft.at = core_.at;
-    soft.from = core_.path.programmed;
-    return needs_plane();
+    soft.has_feed = has(x, "F");
+    soft.feed = x.core.path.feed;
+    soft.rapid = x.modal.active[1] == 1;
+    soft.at = x.core.at;
+    soft.from = x.core.path.programmed;
+    return needs_plane(x);
 }
 
 // The tool's side of the contour: +1 left, -1 right; 0 none.
-int Interpreter::approach_side(const SoftApproach& soft, double tp, double tq, double op,
-                               double oq) const {
+int approach_side(const SoftApproach& soft, double tp, double tq, double op, double oq) {
     switch (soft.side) {
         case 2:
             return 1;  // G141
@@ -75,41 +82,25 @@ int Interpreter::approach_side(const SoftApproach& soft, double tp, double tq, d
     }
 }
 
-bool Interpreter::geo_approach(const GCode& code) {
-    SoftApproach soft;
-    if (modal_.geo.approach) return fail(Alarm::ApproachTwice);
-    if (!approach_words(code, soft)) return false;
-    soft.target = core_.path.programmed;
-    if (!read_axis_words(soft.target, soft.named)) return false;
-    const auto [p, q] = plane_places();
-    soft.complete = (soft.named >> p & 1u) || (soft.named >> q & 1u);
-    modal_.geo.approach = soft;
-    if (!core_.reserve_move()) return false;
-    // what the next block counts from; put right before anything moves
-    if (soft.complete) core_.path.programmed = soft.target;
-    return true;
-}
-
 // One straight part of it; nothing moves where the point is reached already.
-bool Interpreter::approach_line(const AxisValues& to, bool rapid, double feed, std::uint8_t mode) {
-    PathState& path = core_.path;
+bool approach_line(Execution& x, const AxisValues& to, bool rapid, double feed, std::uint8_t mode) {
+    PathState& path = x.core.path;
     const double kept = path.feed;
     const FeedMode kept_mode = path.feed_mode;
     path.feed = feed;
     if (mode == 1) path.feed_mode = FeedMode::PerMinute;
     if (mode == 2) path.feed_mode = FeedMode::PerRevolution;
-    const bool done = within_areas(to) && (rapid ? core_.rapid(to) : core_.linear(to));
+    const bool done = within_areas(x, to) && (rapid ? x.core.rapid(to) : x.core.linear(to));
     path.feed = kept;
     path.feed_mode = kept_mode;
     return done;
 }
 
 // The path between P3 and P4 in the plane, from the tool's position; entering or leaving.
-bool Interpreter::approach_curve(const SoftApproach& soft, const AxisValues& to, int side,
-                                 const std::array<double, 2>& centre, double feed,
-                                 std::uint8_t mode) {
-    if (soft.form == 0) return approach_line(to, false, feed, mode);
-    PathState& path = core_.path;
+bool approach_curve(Execution& x, const SoftApproach& soft, const AxisValues& to, int side,
+                    const std::array<double, 2>& centre, double feed, std::uint8_t mode) {
+    if (soft.form == 0) return approach_line(x, to, false, feed, mode);
+    PathState& path = x.core.path;
     const double kept = path.feed;
     const FeedMode kept_mode = path.feed_mode;
     path.feed = feed;
@@ -120,32 +111,49 @@ bool Interpreter::approach_curve(const SoftApproach& soft, const AxisValues& to,
     arc.centre_p = centre[0];
     arc.centre_q = centre[1];
     arc.tolerance = 1e-3;
-    const bool done = arc_within_areas(to, arc) && core_.arc(to, arc);
+    const bool done = arc_within_areas(x, to, arc) && x.core.arc(to, arc);
     path.feed = kept;
     path.feed_mode = kept_mode;
     return done;
 }
 
+}  // namespace
+
+bool geo_approach(Execution& x, const GCode& code) {
+    SoftApproach soft;
+    if (x.modal.geo.approach) return fail(x, Alarm::ApproachTwice);
+    if (!approach_words(x, code, soft)) return false;
+    soft.target = x.core.path.programmed;
+    if (!read_axis_words(x, soft.target, soft.named)) return false;
+    const auto [p, q] = plane_places(x);
+    soft.complete = (soft.named >> p & 1u) || (soft.named >> q & 1u);
+    x.modal.geo.approach = soft;
+    if (!x.core.reserve_move()) return false;
+    // what the next block counts from; put right before anything moves
+    if (soft.complete) x.core.path.programmed = soft.target;
+    return true;
+}
+
 // The contour's first block is known. taken: the block only gave the point where the contour
 // begins.
-bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, bool& taken) {
+bool finish_approach(Execution& x, const AxisValues& target, const ArcCall* arc, bool& taken) {
     taken = false;
-    SoftApproach soft = *modal_.geo.approach;
-    const auto places = plane_places();
+    SoftApproach soft = *x.modal.geo.approach;
+    const auto places = plane_places(x);
     // no structured binding: a lambda below takes them
     const std::size_t p = places[0], q = places[1];
-    const int w = applicate(core_.view(), core_.path.plane);
+    const int w = applicate(x.core.view(), x.core.path.plane);
     if (!soft.complete) {
-        for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        for (unsigned i = 0; i < x.core.view().axis_count; ++i)
             if (!(soft.named >> i & 1u)) soft.target[i] = target[i];
         soft.complete = taken = true;
-        modal_.geo.approach = soft;
-        core_.path.programmed = soft.target;
+        x.modal.geo.approach = soft;
+        x.core.path.programmed = soft.target;
         return true;
     }
-    modal_.geo.approach.reset();
-    modal_.geo.approach_serial = soft.at.serial;
-    core_.path.programmed = soft.from;
+    x.modal.geo.approach.reset();
+    x.modal.geo.approach_serial = soft.at.serial;
+    x.core.path.programmed = soft.from;
     const AxisValues p4 = soft.target;
     double tp = target[p] - p4[p], tq = target[q] - p4[q];
     if (arc) {
@@ -154,17 +162,17 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         tq = turn * (p4[p] - arc->centre_p);
     }
     const double length = std::hypot(tp, tq);
-    if (length < kSameApproach) return fail(Alarm::ApproachNoEnd);
+    if (length < kSameApproach) return fail(x, Alarm::ApproachNoEnd);
     tp /= length;
     tq /= length;
     const int side = approach_side(soft, tp, tq, soft.from[p] - p4[p], soft.from[q] - p4[q]);
-    if (side == 0 && soft.form != 0) return fail(Alarm::ApproachNoSide);
+    if (side == 0 && soft.form != 0) return fail(x, Alarm::ApproachNoSide);
     const double nose =
-        soft.comp > 1 ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
+        soft.comp > 1 ? x.core.path.tool.nose_radius + x.core.path.tool.allowance : 0.0;
     const double way = soft.form == 0
                            ? soft.radius + std::fmax(nose, 0.0)
                            : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
-    if (way <= kSameApproach) return fail(Alarm::ApproachRadius);
+    if (way <= kSameApproach) return fail(x, Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;
     AxisValues p3 = p4;
     if (soft.form == 0) {
@@ -190,14 +198,14 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         const double down[] = {(soft.from[k] - p1[k]) * up, (p1[k] - p2[k]) * up,
                                (p2[k] - p4[k]) * up};
         for (const double step : down)
-            if (step < -settings_.approach_slack_mm) return fail(Alarm::ApproachReversal);
+            if (step < -x.settings.approach_slack_mm) return fail(x, Alarm::ApproachReversal);
         if (!soft.in_plane) p3[k] = p2[k];
         // DISCL=0: P1 P2 P3 are one
         if (!soft.in_plane && soft.has_safety && !soft.has_retract &&
             std::fabs(p2[k] - p4[k]) < kSameApproach)
             p1[k] = p2[k];
     }
-    modal_.geo.approach_known = true;
+    x.modal.geo.approach_known = true;
     // $P_APR and $P_AEP are points of the compensated path (11.4.1: P4 lies on it); without
     // compensation that is the contour's.
     AxisValues start = p3, end = p4;
@@ -214,60 +222,61 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         start[p] = end[p] + 2 * bend * np;
         start[q] = end[q] + 2 * bend * nq;
     }
-    modal_.geo.approach_start = start;
-    modal_.geo.approach_end = end;
+    x.modal.geo.approach_start = start;
+    x.modal.geo.approach_end = end;
     bool made = true;
     const double slow = soft.infeed > 0 ? soft.infeed : soft.feed;
     const std::uint8_t slow_mode = soft.infeed > 0 ? soft.infeed_mode : 0;
-    core_.insert_reserved([&] {
-        const BlockContext here = core_.at;
-        core_.at = soft.at;
-        const std::uint8_t entry = modal_.active[17];
-        modal_.active[17] = 1;  // onto the perpendicular, whatever KONT says
-        update_compensation();
+    x.core.insert_reserved([&] {
+        const BlockContext here = x.core.at;
+        x.core.at = soft.at;
+        const std::uint8_t entry = x.modal.active[17];
+        x.modal.active[17] = 1;  // onto the perpendicular, whatever KONT says
+        update_compensation(x);
         const std::array<double, 2> centre{p4[p] + way * np, p4[q] + way * nq};
-        made = approach_line(p1, soft.rapid, soft.feed, 0) &&
-               approach_line(p2, soft.rapid, soft.feed, 0);
-        if (made && soft.in_plane) made = approach_line(p3, false, slow, slow_mode);
+        made = approach_line(x, p1, soft.rapid, soft.feed, 0) &&
+               approach_line(x, p2, soft.rapid, soft.feed, 0);
+        if (made && soft.in_plane) made = approach_line(x, p3, false, slow, slow_mode);
         if (made)
-            made = approach_curve(soft, p4, side, centre, soft.in_plane ? soft.feed : slow,
+            made = approach_curve(x, soft, p4, side, centre, soft.in_plane ? soft.feed : slow,
                                   soft.in_plane ? std::uint8_t{0} : slow_mode);
-        modal_.active[17] = entry;
-        update_compensation();
-        core_.at = here;
+        x.modal.active[17] = entry;
+        update_compensation(x);
+        x.core.at = here;
     });
     return made;
 }
 
-bool Interpreter::geo_retract(const GCode& code) {
+bool geo_retract(Execution& x, const GCode& code) {
     SoftApproach soft;
-    if (modal_.geo.approach) return fail(Alarm::ApproachTwice);
-    if (!approach_words(code, soft)) return false;
-    AxisValues target = core_.path.programmed;
+    if (x.modal.geo.approach) return fail(x, Alarm::ApproachTwice);
+    if (!approach_words(x, code, soft)) return false;
+    AxisValues target = x.core.path.programmed;
     AxisSet named = 0;
-    if (!read_axis_words(target, named)) return false;
-    const auto [p, q] = plane_places();
-    const int w = applicate(core_.view(), core_.path.plane);
-    const AxisValues p4 = core_.path.programmed;
+    if (!read_axis_words(x, target, named)) return false;
+    const auto [p, q] = plane_places(x);
+    const int w = applicate(x.core.view(), x.core.path.plane);
+    const AxisValues p4 = x.core.path.programmed;
     const auto geo = [&](std::size_t place) -> std::size_t {
-        const PlaneRole role = core_.view().axes[place].role;
+        const PlaneRole role = x.core.view().axes[place].role;
         return role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
     };
-    double tp = modal_.geo.tangent[geo(p)], tq = modal_.geo.tangent[geo(q)];
+    double tp = x.modal.geo.tangent[geo(p)], tq = x.modal.geo.tangent[geo(q)];
     const double length = std::hypot(tp, tq);
-    if (length < kSameApproach) return fail(Alarm::RetractNoMove);
+    if (length < kSameApproach) return fail(x, Alarm::RetractNoMove);
     tp /= length;
     tq /= length;
     const bool in_plane_end = (named >> p & 1u) || (named >> q & 1u),
                upright_end = w >= 0 && (named >> w & 1u);
     const int side = approach_side(soft, tp, tq, target[p] - p4[p], target[q] - p4[q]);
-    if (side == 0 && soft.form != 0) return fail(Alarm::ApproachNoSide);
+    if (side == 0 && soft.form != 0) return fail(x, Alarm::ApproachNoSide);
     const bool compensated = soft.comp > 1;
-    const double nose = compensated ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
+    const double nose =
+        compensated ? x.core.path.tool.nose_radius + x.core.path.tool.allowance : 0.0;
     const double way = soft.form == 0
                            ? soft.radius + std::fmax(nose, 0.0)
                            : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
-    if (way <= kSameApproach) return fail(Alarm::ApproachRadius);
+    if (way <= kSameApproach) return fail(x, Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;
     AxisValues p3 = p4;
     double ep = tp, eq = tq;  // direction at its end
@@ -298,27 +307,27 @@ bool Interpreter::geo_retract(const GCode& code) {
         const double rise[] = {(p2[k] - p4[k]) * up, (p1[k] - p2[k]) * up,
                                upright_end ? (target[k] - p1[k]) * up : 0.0};
         for (const double step : rise)
-            if (step < -settings_.approach_slack_mm) return fail(Alarm::ApproachReversal);
+            if (step < -x.settings.approach_slack_mm) return fail(x, Alarm::ApproachReversal);
         if (!soft.in_plane) p3[k] = p2[k];
         if (!upright_end) target[k] = p1[k];
     }
     const double old_feed =
-        soft.has_feed && modal_.geo.last_feed > 0 ? modal_.geo.last_feed : soft.feed;
+        soft.has_feed && x.modal.geo.last_feed > 0 ? x.modal.geo.last_feed : soft.feed;
     const std::array<double, 2> centre{p4[p] + way * np, p4[q] + way * nq};
-    if (!approach_curve(soft, p3, side, centre, old_feed, 0)) return false;
+    if (!approach_curve(x, soft, p3, side, centre, old_feed, 0)) return false;
     const bool slow = soft.in_plane && soft.infeed > 0;
-    if (!approach_line(p2, !slow && soft.rapid, slow ? soft.infeed : soft.feed,
+    if (!approach_line(x, p2, !slow && soft.rapid, slow ? soft.infeed : soft.feed,
                        slow ? soft.infeed_mode : std::uint8_t{0}))
         return false;
-    if (!approach_line(p1, soft.rapid, soft.feed, 0)) return false;
-    const GCode* comp = block_.coded[7];
+    if (!approach_line(x, p1, soft.rapid, soft.feed, 0)) return false;
+    const GCode* comp = x.block.coded[7];
     const bool cancels = comp && comp->number == 1 && compensated;
     if (cancels) {
-        const std::uint8_t entry = modal_.active[17];
-        modal_.active[17] = 1;
-        update_compensation();
-        core_.compensation_off(0.0, 0.0);
-        modal_.active[17] = entry;
+        const std::uint8_t entry = x.modal.active[17];
+        x.modal.active[17] = 1;
+        update_compensation(x);
+        x.core.compensation_off(0.0, 0.0);
+        x.modal.active[17] = entry;
     }
     if (!in_plane_end) {
         // Where nothing is programmed in the plane the tool stays where it is, with G40 as the
@@ -330,8 +339,8 @@ bool Interpreter::geo_retract(const GCode& code) {
             target[q] += (soft.comp == 2 ? nose : -nose) * ep;
         }
     }
-    const bool done = approach_line(target, soft.rapid, soft.feed, 0);
-    if (cancels) update_compensation();
+    const bool done = approach_line(x, target, soft.rapid, soft.feed, 0);
+    if (cancels) update_compensation(x);
     return done;
 }
 

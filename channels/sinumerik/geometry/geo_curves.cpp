@@ -1,11 +1,22 @@
 // Curves that are no arcs in a plane of the machine: involutes, circles that lie obliquely in
 // space, ellipses. They are made of points so close together that the straight lines between them
 // stay within kSagitta of the curve (sinumerik_part1 10.6.6, 10.8).
+#include "channels/sinumerik/geometry/geo_curves.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include "channels/angles.hpp"
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/axes/axis_names.hpp"
+#include "channels/sinumerik/axes/axis_words.hpp"
+#include "channels/sinumerik/coupling/coupled_axes.hpp"
+#include "channels/sinumerik/execution.hpp"
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/geometry/geo_arcs.hpp"
+#include "channels/sinumerik/geometry/geo_motion.hpp"
+#include "channels/sinumerik/geometry/travel_limits.hpp"
+#include "channels/sinumerik/geometry/units.hpp"
+#include "channels/sinumerik/grammar/words.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -29,71 +40,77 @@ double roll(double phi) {
     return (low + high) / 2;
 }
 
-}  // namespace
-
 // The curve itself; `tangent` is its direction at the end. Axes that follow others do so from point
 // to point.
-bool Interpreter::go_curve(const AxisValues& wanted, const std::vector<AxisValues>& points,
-                           const Point3& tangent) {
-    const bool leads = !modal_.trails.empty();
-    const AxisValues target = leads ? trailed(wanted) : wanted;
+bool go_curve(Execution& x, const AxisValues& wanted, const std::vector<AxisValues>& points,
+              const Point3& tangent) {
+    const bool leads = !x.modal.trails.empty();
+    const AxisValues target = leads ? trailed(x, wanted) : wanted;
     std::vector<AxisValues> followed;
-    for (std::size_t i = 0; leads && i < points.size(); ++i) followed.push_back(trailed(points[i]));
+    for (std::size_t i = 0; leads && i < points.size(); ++i)
+        followed.push_back(trailed(x, points[i]));
     const std::vector<AxisValues>& between = leads ? followed : points;
     for (const AxisValues& point : between)
-        if (!within_areas(point)) return false;
-    if (!within_areas(target)) return false;
-    if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
-    if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
-    if (!corner_words(false)) return false;
-    if (core_.compensating())
-        return fail(Alarm::CurveUnderCompensation,
-                    find_g(1, modal_.active[1]) ? std::string(find_g(1, modal_.active[1])->name)
-                                                : std::string());
-    if (!core_.curve(target, between)) return false;
-    modal_.geo.tangent = tangent;
-    modal_.geo.last_feed = core_.path.feed;
+        if (!within_areas(x, point)) return false;
+    if (!within_areas(x, target)) return false;
+    if (x.modal.geo.approach) return fail(x, Alarm::ApproachNoEnd);
+    if (x.modal.geo.open_line) return fail(x, Alarm::ContourLineOpen);
+    if (!corner_words(x, false)) return false;
+    if (x.core.compensating())
+        return fail(x, Alarm::CurveUnderCompensation,
+                    find_g(1, x.modal.active[1]) ? std::string(find_g(1, x.modal.active[1])->name)
+                                                 : std::string());
+    if (!x.core.curve(target, between)) return false;
+    x.modal.geo.tangent = tangent;
+    x.modal.geo.last_feed = x.core.path.feed;
     return true;
 }
+
+std::size_t geometry_index(Execution& x, std::size_t place) {
+    const PlaneRole role = x.core.view().axes[place].role;
+    return role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
+}
+
+}  // namespace
 
 //   r(t) = R sqrt(1 + t^2),  angle(t) = angle(start) + o (phi(t) - phi(ts)),  o = +1: the curve
 //   opens anticlockwise
 //
 // Outwards t grows, inwards it falls; INVCCW turns anticlockwise on both ways, so o is its sense
 // outwards and the other inwards.
-bool Interpreter::geo_involute(const GCode& code) {
-    return driven([&] {
+bool geo_involute(Execution& x, const GCode& code) {
+    return driven(x, [&] {
         AxisValues target{};
         AxisSet named = 0;
-        if (!read_axis_words(target, named)) return false;
-        const Word* base = word("CR");
-        const Word* opening = word("AR");
+        if (!read_axis_words(x, target, named)) return false;
+        const Word* base = word(x, "CR");
+        const Word* opening = word(x, "AR");
         ArcCall call;
         bool centred = false;
-        if (!needs_plane() || !centre_words(call, centred)) return false;
-        if (!named && !opening && !centred) return corner_words(false);
-        const auto places = plane_places();
+        if (!needs_plane(x) || !centre_words(x, call, centred)) return false;
+        if (!named && !opening && !centred) return corner_words(x, false);
+        const auto places = plane_places(x);
         const std::size_t p = places[0], q = places[1];
-        if (!base) return fail(Alarm::ReturnValueMissing, "CR");
+        if (!base) return fail(x, Alarm::ReturnValueMissing, "CR");
         if (base->number() <= 0)
-            return fail_word(Alarm::ValueOutOfRange, *base, "CR", base->number());
+            return fail_word(x, Alarm::ValueOutOfRange, *base, "CR", base->number());
         const bool in_plane = (named >> p & 1u) || (named >> q & 1u);
         if (opening && in_plane)
-            return fail_word(Alarm::CodesContradict, *opening,
-                             "AR, " + axis_name(static_cast<int>(named >> p & 1u ? p : q)));
-        if (!opening && !in_plane) return fail(Alarm::ArcEndMissing);
+            return fail_word(x, Alarm::CodesContradict, *opening,
+                             "AR, " + axis_name(x, static_cast<int>(named >> p & 1u ? p : q)));
+        if (!opening && !in_plane) return fail(x, Alarm::ArcEndMissing);
         // INVCCW
-        const double radius = base->number() * unit(), sense = code.number == 19 ? 1.0 : -1.0;
-        const double sp = core_.path.programmed[p] - call.centre_p,
-                     sq = core_.path.programmed[q] - call.centre_q;
+        const double radius = base->number() * unit(x), sense = code.number == 19 ? 1.0 : -1.0;
+        const double sp = x.core.path.programmed[p] - call.centre_p,
+                     sq = x.core.path.programmed[q] - call.centre_q;
         const double start = std::hypot(sp, sq), first = std::atan2(sq, sp);
-        if (start < radius - 1e-9) return fail(Alarm::InvoluteInside);
+        if (start < radius - 1e-9) return fail(x, Alarm::InvoluteInside);
         const double ts = std::sqrt(std::fmax(0.0, start * start / (radius * radius) - 1.0));
         double te = 0.0, off = 0.0;  // off: what the end point's angle is beside the curve
         if (opening) {
             const double phi = polar(ts) + opening->number() * kDegree;
             if (phi < -1e-12 || opening->number() == 0)
-                return fail_word(Alarm::InvoluteInside, *opening);
+                return fail_word(x, Alarm::InvoluteInside, *opening);
             te = roll(std::fmax(0.0, phi));
             const double end = radius * std::sqrt(1 + te * te),
                          angle = first + sense * std::fabs(opening->number()) * kDegree;
@@ -102,29 +119,29 @@ bool Interpreter::geo_involute(const GCode& code) {
         } else {
             const double ep = target[p] - call.centre_p, eq = target[q] - call.centre_q,
                          end = std::hypot(ep, eq);
-            if (end < radius - 1e-9) return fail(Alarm::InvoluteInside);
+            if (end < radius - 1e-9) return fail(x, Alarm::InvoluteInside);
             te = std::sqrt(std::fmax(0.0, end * end / (radius * radius) - 1.0));
             off = std::remainder(
                 std::atan2(eq, ep) - first - sense * std::fabs(polar(te) - polar(ts)), kTurn);
             const double there = std::fmax(0.0, polar(te) + (te > ts ? sense : -sense) * off);
             const double t = roll(there), beside = std::fabs(radius * std::sqrt(1 + t * t) - end);
-            if (beside > settings_.involute_error_mm + 1e-9)
-                return fail(Alarm::InvoluteEndOff, {}, beside, settings_.involute_error_mm);
+            if (beside > x.settings.involute_error_mm + 1e-9)
+                return fail(x, Alarm::InvoluteEndOff, {}, beside, x.settings.involute_error_mm);
         }
         const double opens = te > ts ? sense : -sense, whole = te * te - ts * ts;
-        const AxisValues from = core_.path.programmed;
+        const AxisValues from = x.core.path.programmed;
         std::vector<AxisValues> between;
         const auto step = [&](double t) {
             return std::fmin(0.05, std::sqrt(8 * kSagitta / (radius * std::fmax(t, 1e-3))));
         };
         for (double t = ts + (te > ts ? step(ts) : -step(ts)); te > ts ? t < te : t > te;
              t += te > ts ? step(t) : -step(t)) {
-            if (between.size() == kMostPoints) return fail(Alarm::ValueOutOfRange, "CR");
+            if (between.size() == kMostPoints) return fail(x, Alarm::ValueOutOfRange, "CR");
             const double share = (t * t - ts * ts) / whole;  // of the way
             const double r = radius * std::sqrt(1 + t * t),
                          angle = first + opens * (polar(t) - polar(ts)) + off * share;
             AxisValues point = from;
-            for (unsigned i = 0; i < core_.view().axis_count; ++i)
+            for (unsigned i = 0; i < x.core.view().axis_count; ++i)
                 point[i] += (target[i] - from[i]) * share;
             point[p] = call.centre_p + r * std::cos(angle);
             point[q] = call.centre_q + r * std::sin(angle);
@@ -135,21 +152,21 @@ bool Interpreter::geo_involute(const GCode& code) {
         const double angle = first + opens * (polar(te) - polar(ts)) + opens * std::atan(te),
                      outwards = te > ts ? 1.0 : -1.0;
         Point3 tangent{};
-        tangent[geometry_index(p)] = outwards * std::cos(angle);
-        tangent[geometry_index(q)] = outwards * std::sin(angle);
-        return go_curve(target, between, tangent);
+        tangent[geometry_index(x, p)] = outwards * std::cos(angle);
+        tangent[geometry_index(x, q)] = outwards * std::sin(angle);
+        return go_curve(x, target, between, tangent);
     });
 }
 
 // Turned out of the planes of the machine (ROT X, sinumerik_part2 13.5), or an ellipse by two
 // factors (13.7)?
-bool Interpreter::frame_keeps_circles() const {
-    if (!core_.path.framed) return true;
+bool frame_keeps_circles(const Execution& x) {
+    if (!x.core.path.framed) return true;
     constexpr double kAlike = 1e-9;
     static constexpr GeoAxis kAxes[3][2] = {
         {GeoAxis::X, GeoAxis::Y}, {GeoAxis::Z, GeoAxis::X}, {GeoAxis::Y, GeoAxis::Z}};
-    const auto& [first, second] = kAxes[static_cast<std::size_t>(core_.path.plane)];
-    const Point3 u = core_.path.frame.axis(first), v = core_.path.frame.axis(second);
+    const auto& [first, second] = kAxes[static_cast<std::size_t>(x.core.path.plane)];
+    const Point3 u = x.core.path.frame.axis(first), v = x.core.path.frame.axis(second);
     const auto dot = [](const Point3& a, const Point3& b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     };
@@ -165,25 +182,25 @@ bool Interpreter::frame_keeps_circles() const {
 
 // An arc in a plane that the frame inclines, which has an element at an end or is compensated:
 // those know circles.
-bool Interpreter::arc_lies_inclined() const {
-    if (!core_.frame_inclines()) return false;
-    if (core_.inclined() || (!core_.reads_ahead() && modal_.geo.rounding > 0)) return true;
-    return !core_.reads_ahead() && (word("RND") || word("CHR") || word("CHF"));
+bool arc_lies_inclined(const Execution& x) {
+    if (!x.core.frame_inclines()) return false;
+    if (x.core.inclined() || (!x.core.reads_ahead() && x.modal.geo.rounding > 0)) return true;
+    return !x.core.reads_ahead() && (word(x, "RND") || word(x, "CHR") || word(x, "CHF"));
 }
 
 // An arc of the workpiece that is none of the machine's: its points go through the frame.
-bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
+bool drawn_arc(Execution& x, const AxisValues& target, const ArcCall& call) {
     for (const std::string_view name : {"RND", "CHR", "CHF"})
-        if (const Word* w = word(name))
-            return fail_word(Alarm::NotBuilt, *w,
-                             std::string(name) + (leads(target) ? ", TRAILON" : ", ROT, SCALE"));
-    const auto places = plane_places();
+        if (const Word* w = word(x, name))
+            return fail_word(x, Alarm::NotBuilt, *w,
+                             std::string(name) + (leads(x, target) ? ", TRAILON" : ", ROT, SCALE"));
+    const auto places = plane_places(x);
     const std::size_t p = places[0], q = places[1];
-    const AxisValues from = core_.path.programmed;
+    const AxisValues from = x.core.path.programmed;
     const double radius = std::hypot(from[p] - call.centre_p, from[q] - call.centre_q);
     if (radius < kNoRadius ||
         std::hypot(target[p] - call.centre_p, target[q] - call.centre_q) < kNoRadius)
-        return fail(Alarm::ArcWithoutRadius);
+        return fail(x, Alarm::ArcWithoutRadius);
     const double begin = std::atan2(from[q] - call.centre_q, from[p] - call.centre_p),
                  sense = call.clockwise ? -1.0 : 1.0;
     double sweep = std::fmod(
@@ -192,39 +209,34 @@ bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
     sweep += kTurn * call.turns;
     double largest = 1.0;  // the frame may magnify what lies between two points
     for (const GeoAxis axis : {GeoAxis::X, GeoAxis::Y, GeoAxis::Z}) {
-        const Point3 image = core_.path.frame.axis(axis);
+        const Point3 image = x.core.path.frame.axis(axis);
         largest = std::fmax(
             largest, std::sqrt(image[0] * image[0] + image[1] * image[1] + image[2] * image[2]));
     }
     const auto count =
         static_cast<std::size_t>(std::ceil(sweep / std::sqrt(8 * kSagitta / (radius * largest))));
-    if (count > kMostPoints) return fail(Alarm::ValueOutOfRange, "TURN", call.turns);
+    if (count > kMostPoints) return fail(x, Alarm::ValueOutOfRange, "TURN", call.turns);
     std::vector<AxisValues> between;
     for (std::size_t i = 1; i < count; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(count),
                      angle = begin + sense * sweep * share;
         AxisValues point = from;
-        for (unsigned k = 0; k < core_.view().axis_count; ++k)
+        for (unsigned k = 0; k < x.core.view().axis_count; ++k)
             point[k] += (target[k] - from[k]) * share;
         point[p] = call.centre_p + radius * std::cos(angle);
         point[q] = call.centre_q + radius * std::sin(angle);
         between.push_back(point);
     }
     Point3 tangent{};
-    tangent[geometry_index(p)] = -sense * (target[q] - call.centre_q);
-    tangent[geometry_index(q)] = sense * (target[p] - call.centre_p);
-    return go_curve(target, between, tangent);
-}
-
-std::size_t Interpreter::geometry_index(std::size_t place) {
-    const PlaneRole role = core_.view().axes[place].role;
-    return role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
+    tangent[geometry_index(x, p)] = -sense * (target[q] - call.centre_q);
+    tangent[geometry_index(x, q)] = sense * (target[p] - call.centre_p);
+    return go_curve(x, target, between, tangent);
 }
 
 // The circle from a through b to c in the plane of the three, `turns` more full circles before its
 // end.
-bool Interpreter::oblique_circle(const Point3& a, const Point3& b, const Point3& c,
-                                 const AxisValues& target, std::int32_t turns) {
+bool oblique_circle(Execution& x, const Point3& a, const Point3& b, const Point3& c,
+                    const AxisValues& target, std::int32_t turns) {
     const auto minus = [](const Point3& u, const Point3& v) {
         return Point3{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
     };
@@ -250,20 +262,20 @@ bool Interpreter::oblique_circle(const Point3& a, const Point3& b, const Point3&
     double sweep = std::atan2(dot(end, across), dot(end, radial));
     if (sweep < 1e-12) sweep += kTurn;
     sweep += kTurn * turns;
-    const AxisValues from = core_.path.programmed;
+    const AxisValues from = x.core.path.programmed;
     const auto count =
         static_cast<std::size_t>(std::ceil(sweep / std::sqrt(8 * kSagitta / radius)));
-    if (count > kMostPoints) return fail(Alarm::ValueOutOfRange, "TURN", turns);
+    if (count > kMostPoints) return fail(x, Alarm::ValueOutOfRange, "TURN", turns);
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     std::vector<AxisValues> between;
     for (std::size_t i = 1; i < count; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(count),
                      angle = sweep * share;
         AxisValues point = from;
-        for (unsigned k = 0; k < core_.view().axis_count; ++k)
+        for (unsigned k = 0; k < x.core.view().axis_count; ++k)
             point[k] += (target[k] - from[k]) * share;
         for (std::size_t k = 0; k < 3; ++k)
-            if (const int place = core_.view().axis_by_role(kRoles[k]); place >= 0)
+            if (const int place = x.core.view().axis_by_role(kRoles[k]); place >= 0)
                 point[static_cast<std::size_t>(place)] =
                     centre[k] + radial[k] * std::cos(angle) + across[k] * std::sin(angle);
         between.push_back(point);
@@ -271,7 +283,7 @@ bool Interpreter::oblique_circle(const Point3& a, const Point3& b, const Point3&
     Point3 tangent{};
     for (std::size_t k = 0; k < 3; ++k)
         tangent[k] = across[k] * std::cos(sweep) - radial[k] * std::sin(sweep);
-    return go_curve(target, between, tangent);
+    return go_curve(x, target, between, tangent);
 }
 
 }  // namespace polyturn::channels::sinumerik

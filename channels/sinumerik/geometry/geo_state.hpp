@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "channels/sinumerik/geometry/frame_value.hpp"
+#include "channels/sinumerik/frames/frame_value.hpp"
 #include "channels/state/frame.hpp"
 
 namespace polyturn::channels::sinumerik {

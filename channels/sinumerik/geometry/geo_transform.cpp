@@ -1,10 +1,14 @@
 // TRANSMIT, TRACYL, TRAANG, TRAFOOF (sinumerik_part3 7.7, part 1 2.4, part 2 16.2): the geometry
 // axes of the program, which the machine has no axes for, and the machine axes that make them.
 // Behind frames, compensation and tool length.
-#include <cmath>
+#include "channels/sinumerik/geometry/geo_transform.hpp"
+
 #include <numbers>
 
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/execution.hpp"
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/flow/run.hpp"
+#include "channels/sinumerik/geometry/units.hpp"
 #include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -26,13 +30,11 @@ auto axes_of_set(unsigned n) {
     }
 }
 
-}  // namespace
-
 // The data set of that kind: the one that is named, else the first. `axes`: places; of X, C, Z
 // where the data name none.
-bool Interpreter::transformation_data(std::int64_t kind, const Call& c, std::size_t number_at,
-                                      std::array<int, 3>& axes) {
-    const MachineView& view = core_.view();
+bool transformation_data(Execution& x, std::int64_t kind, const Call& c, std::size_t number_at,
+                         std::array<int, 3>& axes) {
+    const MachineView& view = x.core.view();
     const params::Table& t = view.table();
     const std::int64_t kinds[kSets] = {params::get(t, params::md24100, view.channel),
                                        params::get(t, params::md24200, view.channel),
@@ -45,7 +47,7 @@ bool Interpreter::transformation_data(std::int64_t kind, const Call& c, std::siz
         double seen = 0;
         for (unsigned n = 1; n <= kSets && !set; ++n)
             if (kinds[n - 1] == kind && ++seen == wanted) set = n;
-        if (!set) return fail(Alarm::TransformNone, name + " " + to_text(Value::of_int(wanted)));
+        if (!set) return fail(x, Alarm::TransformNone, name + " " + to_text(Value::of_int(wanted)));
     }
     for (unsigned n = 1; n <= kSets && !set; ++n)
         if (kinds[n - 1] == kind) set = n;
@@ -53,9 +55,9 @@ bool Interpreter::transformation_data(std::int64_t kind, const Call& c, std::siz
     if (!set) {
         for (unsigned n = 1; n <= kSets; ++n)
             if (kind == kTracyl && (kinds[n - 1] == 513 || kinds[n - 1] == 514))
-                return fail(Alarm::NotBuilt,
+                return fail(x, Alarm::NotBuilt,
                             "TRACYL " + to_text(Value::of_int(static_cast<double>(kinds[n - 1]))));
-        return fail(Alarm::TransformNone, name);
+        return fail(x, Alarm::TransformNone, name);
     }
     const auto place = [&](unsigned k, int otherwise) {
         const auto number = params::get(t, axes_of_set(set), view.channel, k);
@@ -75,25 +77,27 @@ bool Interpreter::transformation_data(std::int64_t kind, const Call& c, std::siz
         const bool turns = i >= 0 && (view.axes[static_cast<std::size_t>(i)].rotary ||
                                       view.axes[static_cast<std::size_t>(i)].turns);
         if (i < 0 || turns != (!inclined && k == 1))
-            return fail(Alarm::TransformAxis,
+            return fail(x, Alarm::TransformAxis,
                         i < 0 ? kNames[k] : view.axes[static_cast<std::size_t>(i)].name);
     }
     return true;
 }
 
-bool Interpreter::switch_transformation(const Transformation& wanted) {
-    if (core_.reads_ahead()) return fail(Alarm::TransformPlace, "G41, G42");
-    if (!need_fresh()) return false;  // the axes rest first
-    state_changed_ = true;
-    core_.transform_off();
+bool switch_transformation(Execution& x, const Transformation& wanted) {
+    if (x.core.reads_ahead()) return fail(x, Alarm::TransformPlace, "G41, G42");
+    if (!need_fresh(x)) return false;  // the axes rest first
+    x.run.state_changed = true;
+    x.core.transform_off();
     if (!wanted.active()) return true;
-    return core_.transform(wanted);
+    return x.core.transform(wanted);
 }
 
-bool Interpreter::p_transmit(Call& c) {
+}  // namespace
+
+bool p_transmit(Execution& x, Call& c) {
     std::array<int, 3> axes{};
-    if (!transformation_data(kTransmit, c, 0, axes)) return false;
-    const MachineView& view = core_.view();
+    if (!transformation_data(x, kTransmit, c, 0, axes)) return false;
+    const MachineView& view = x.core.view();
     const params::Table& t = view.table();
     Transformation wanted;
     wanted.kinematics.kind = static_cast<std::uint32_t>(KinematicsKind::Polar);
@@ -107,62 +111,62 @@ bool Interpreter::p_transmit(Call& c) {
     wanted.side = static_cast<PoleSide>(params::get(t, params::md24911, view.channel));
     wanted.virtual_y = static_cast<std::int8_t>(axes[1]);
     wanted.named_y = wanted.about_machine_zero = true;
-    return switch_transformation(wanted);
+    return switch_transformation(x, wanted);
 }
 
-bool Interpreter::p_tracyl(Call& c) {
+bool p_tracyl(Execution& x, Call& c) {
     std::array<int, 3> axes{};
-    if (!c.has(0) || !(c.number(0) > 0)) return fail(Alarm::TransformValue, "TRACYL");
-    if (!transformation_data(kTracyl, c, 1, axes)) return false;
-    const MachineView& view = core_.view();
+    if (!c.has(0) || !(c.number(0) > 0)) return fail(x, Alarm::TransformValue, "TRACYL");
+    if (!transformation_data(x, kTracyl, c, 1, axes)) return false;
+    const MachineView& view = x.core.view();
     const params::Table& t = view.table();
     Transformation wanted;
     wanted.kinematics.kind = static_cast<std::uint32_t>(KinematicsKind::Cylinder);
     wanted.kinematics.axis[0] = static_cast<std::uint8_t>(axes[1]);
     wanted.kinematics.centre[0] = params::get(t, params::md24800, view.channel);
     wanted.kinematics.value[0] =
-        (params::get(t, params::md24810, view.channel) ? 0.5 : -0.5) * c.number(0) * unit();
+        (params::get(t, params::md24810, view.channel) ? 0.5 : -0.5) * c.number(0) * unit(x);
     wanted.virtual_y = static_cast<std::int8_t>(axes[1]);
     wanted.named_y = true;
-    return switch_transformation(wanted);
+    return switch_transformation(x, wanted);
 }
 
-bool Interpreter::p_traang(Call& c) {
+bool p_traang(Execution& x, Call& c) {
     std::array<int, 3> axes{};
-    if (!transformation_data(kTraang, c, 1, axes)) return false;
-    const MachineView& view = core_.view();
-    if (c.has(0)) modal_.inclined_deg = c.number(0);
+    if (!transformation_data(x, kTraang, c, 1, axes)) return false;
+    const MachineView& view = x.core.view();
+    if (c.has(0)) x.modal.inclined_deg = c.number(0);
     const double degrees =
-        modal_.inclined_deg.value_or(params::get(view.table(), params::md24700, view.channel));
+        x.modal.inclined_deg.value_or(params::get(view.table(), params::md24700, view.channel));
     if (!(std::fabs(degrees) > 0 && std::fabs(degrees) <= 89))
-        return fail(Alarm::TransformValue, "TRAANG");
+        return fail(x, Alarm::TransformValue, "TRAANG");
     Transformation wanted;
     wanted.kinematics.kind = static_cast<std::uint32_t>(KinematicsKind::Inclined);
     wanted.kinematics.axis[0] = static_cast<std::uint8_t>(axes[0]);
     wanted.kinematics.axis[1] = static_cast<std::uint8_t>(axes[1]);
     wanted.kinematics.value[0] = degrees * std::numbers::pi / 180.0;
-    return switch_transformation(wanted);
+    return switch_transformation(x, wanted);
 }
 
 // TRAORI: the tip goes where the program says while head and table turn. What they are like is told
 // once, for all languages, by N3200 to N3224. Directions of the tool (A3=, ORI codes) are not known
 // to it: the rotary axes are programmed by their angles.
-bool Interpreter::p_trafoof(Call& c) {
-    if (block_.procedures.front().first->name == "TRAORI") {
+bool p_trafoof(Execution& x, Call& c) {
+    if (x.block.procedures.front().first->name == "TRAORI") {
         if (c.has(0) && c.number(0) != 1)
-            return fail(Alarm::TransformNone, "TRAORI " + to_text(Value::of_int(c.number(0))));
-        if (c.has(1)) return fail(Alarm::TransformValue, "TRAORI");
-        if (params::get(core_.view().table(), params::n3200_mechanical_type,
-                        core_.view().channel) == 0)
-            return fail(Alarm::TransformNone, "TRAORI");
-        if (core_.reads_ahead()) return fail(Alarm::TransformPlace, "G41, G42");
-        if (!need_fresh()) return false;
-        state_changed_ = true;
-        core_.transform_off();
-        return control_tip(core_);
+            return fail(x, Alarm::TransformNone, "TRAORI " + to_text(Value::of_int(c.number(0))));
+        if (c.has(1)) return fail(x, Alarm::TransformValue, "TRAORI");
+        if (params::get(x.core.view().table(), params::n3200_mechanical_type,
+                        x.core.view().channel) == 0)
+            return fail(x, Alarm::TransformNone, "TRAORI");
+        if (x.core.reads_ahead()) return fail(x, Alarm::TransformPlace, "G41, G42");
+        if (!need_fresh(x)) return false;
+        x.run.state_changed = true;
+        x.core.transform_off();
+        return control_tip(x.core);
     }
-    if (!core_.transformed()) return true;
-    return switch_transformation({});
+    if (!x.core.transformed()) return true;
+    return switch_transformation(x, {});
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -1,11 +1,20 @@
 // Expressions. Priorities, strongest first: NOT B_NOT and signs | * / DIV MOD : | + - | B_AND |
 // B_XOR | B_OR | AND | XOR | OR | << |
 // == <> > < >= <=   (so a comparison inside AND or OR needs brackets).
+#include "channels/sinumerik/grammar/expression.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <cstring>
 
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/axes/axis_names.hpp"
+#include "channels/sinumerik/execution.hpp"
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/frames/frame_functions.hpp"
+#include "channels/sinumerik/frames/settable_frames.hpp"
+#include "channels/sinumerik/grammar/arguments.hpp"
+#include "channels/sinumerik/variables/system_variables.hpp"
+#include "channels/sinumerik/variables/variables.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -68,59 +77,57 @@ const OpRow* operator_at(Cursor& cursor) {
 std::int64_t bits_of(double value) { return static_cast<std::int64_t>(std::nearbyint(value)); }
 bool both(const Value& a, const Value& b, Type type) { return a.type == type && b.type == type; }
 
-}  // namespace
+bool unary(Execution& x, Value& value);
+bool apply(Execution& x, unsigned op, const char* at, Value& left, const Value& right);
+bool primary(Execution& x, Value& value);
+bool number_constant(Execution& x, Value& value);
+bool quoted_constant(Execution& x, Value& value);
+bool string_constant(Execution& x, Value& value);
+bool named_value(Execution& x, Value& value);
 
-bool Interpreter::expression(Value& value) {
-    if (++depth_ > kDeepest) {
-        depth_ = 0;
-        return fail_at(Alarm::BracketsTooDeep, cursor_.at(), 1, {}, kDeepest);
-    }
-    const bool ok = binary(value, 0);
-    if (depth_) --depth_;
-    return ok;
-}
-
-bool Interpreter::binary(Value& value, unsigned level) {
-    if (level == kUnary) return unary(value);
-    if (!binary(value, level + 1)) return false;
+bool binary(Execution& x, Value& value, unsigned level) {
+    if (level == kUnary) return unary(x, value);
+    if (!binary(x, value, level + 1)) return false;
     for (;;) {
-        const char* const at = cursor_.at();
-        const OpRow* op = operator_at(cursor_);
+        const char* const at = x.line.cursor.at();
+        const OpRow* op = operator_at(x.line.cursor);
         if (!op || op->level != level) {
-            cursor_.at() = at;
+            x.line.cursor.at() = at;
             return true;
         }
-        cursor_.advance(op->text.size());
+        x.line.cursor.advance(op->text.size());
         Value right;
-        if (!binary(right, level + 1) || !apply(op->op, at, value, right)) return false;
+        if (!binary(x, right, level + 1) || !apply(x, op->op, at, value, right)) return false;
     }
 }
 
-bool Interpreter::unary(Value& value) {
-    cursor_.skip();
-    const char* const at = cursor_.at();
-    if (cursor_.peek() == '-' || cursor_.peek() == '+') {
-        const bool negative = *cursor_.at() == '-';
-        cursor_.advance(1);
+bool unary(Execution& x, Value& value) {
+    x.line.cursor.skip();
+    const char* const at = x.line.cursor.at();
+    if (x.line.cursor.peek() == '-' || x.line.cursor.peek() == '+') {
+        const bool negative = *x.line.cursor.at() == '-';
+        x.line.cursor.advance(1);
         double number = 0;
-        if (!(++depth_ <= kDeepest)) return fail_at(Alarm::BracketsTooDeep, at, 1, {}, kDeepest);
-        const bool ok = unary(value);
-        if (depth_) --depth_;
-        if (!ok || !number_of(value, at, number)) return false;
+        if (!(++x.line.depth <= kDeepest))
+            return fail_at(x, Alarm::BracketsTooDeep, at, 1, {}, kDeepest);
+        const bool ok = unary(x, value);
+        if (x.line.depth) --x.line.depth;
+        if (!ok || !number_of(x, value, at, number)) return false;
         value = value.type == Type::Real ? Value::of_real(number) : Value::of_int(number);
         if (negative) value.number = -number;
         return true;
     }
-    const std::string_view name = cursor_.name_ahead();
+    const std::string_view name = x.line.cursor.name_ahead();
     const std::string word = name.size() <= 5 ? upper(name) : std::string();
     if (word == "NOT" || word == "B_NOT") {
-        cursor_.advance(name.size());
-        if (!(++depth_ <= kDeepest)) return fail_at(Alarm::BracketsTooDeep, at, 1, {}, kDeepest);
-        const bool ok = unary(value);
-        if (depth_) --depth_;
+        x.line.cursor.advance(name.size());
+        if (!(++x.line.depth <= kDeepest))
+            return fail_at(x, Alarm::BracketsTooDeep, at, 1, {}, kDeepest);
+        const bool ok = unary(x, value);
+        if (x.line.depth) --x.line.depth;
         if (!ok) return false;
         if (!value.is_number())
-            return fail_at(Alarm::OperandTypeIllegal, at, name.size(),
+            return fail_at(x, Alarm::OperandTypeIllegal, at, name.size(),
                            word + " " + std::string(type_name(value.type)));
         if (word == "NOT")
             value = Value::of_bool(!value.is_true());
@@ -129,47 +136,47 @@ bool Interpreter::unary(Value& value) {
                 static_cast<std::int32_t>(~static_cast<std::uint32_t>(bits_of(value.number)))));
         return true;
     }
-    return primary(value);
+    return primary(x, value);
 }
 
-bool Interpreter::primary(Value& value) {
-    const char c = cursor_.peek();
+bool primary(Execution& x, Value& value) {
+    const char c = x.line.cursor.peek();
     if (c == '(') {
-        cursor_.advance(1);
-        if (!expression(value)) return false;
-        return cursor_.eat(')') || syntax(cursor_.at(), ")");
+        x.line.cursor.advance(1);
+        if (!expression(x, value)) return false;
+        return x.line.cursor.eat(')') || syntax(x, x.line.cursor.at(), ")");
     }
-    if (is_digit(c) || c == '.') return number_constant(value);
-    if (c == '\'') return quoted_constant(value);
-    if (c == '"') return string_constant(value);
-    if (c == '$') return system_value(value);
-    if (is_name_start(c)) return named_value(value);
-    return syntax(cursor_.at());
+    if (is_digit(c) || c == '.') return number_constant(x, value);
+    if (c == '\'') return quoted_constant(x, value);
+    if (c == '"') return string_constant(x, value);
+    if (c == '$') return system_value(x, value);
+    if (is_name_start(c)) return named_value(x, value);
+    return syntax(x, x.line.cursor.at());
 }
 
-bool Interpreter::number_constant(Value& value) {
-    const char* p = cursor_.at();
+bool number_constant(Execution& x, Value& value) {
+    const char* p = x.line.cursor.at();
     const char* const from = p;
     std::string digits;
     bool real = false;
-    while (p != cursor_.end() && (is_digit(*p) || *p == '.')) {
+    while (p != x.line.cursor.end() && (is_digit(*p) || *p == '.')) {
         if (*p == '.') {
-            if (real) return fail_at(Alarm::SecondPoint, p, 1);
+            if (real) return fail_at(x, Alarm::SecondPoint, p, 1);
             real = true;
         }
         digits += *p++;
     }
     // An exponent: EX and a whole number.
-    if (p + 1 < cursor_.end() && upper(p[0]) == 'E' && upper(p[1]) == 'X') {
+    if (p + 1 < x.line.cursor.end() && upper(p[0]) == 'E' && upper(p[1]) == 'X') {
         const char* q = p + 2;
         std::string exponent;
-        if (q != cursor_.end() && (*q == '+' || *q == '-')) {
+        if (q != x.line.cursor.end() && (*q == '+' || *q == '-')) {
             exponent += *q == '-' ? "-" : "";
             ++q;
         }
         const char* const first = q;
-        while (q != cursor_.end() && is_digit(*q)) exponent += *q++;
-        if (q == first) return syntax(p, "EX");
+        while (q != x.line.cursor.end() && is_digit(*q)) exponent += *q++;
+        if (q == first) return syntax(x, p, "EX");
         digits += "e" + exponent;
         real = true;
         p = q;
@@ -178,29 +185,30 @@ bool Interpreter::number_constant(Value& value) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(number))
         return fail_at(
+            x,
             error == std::errc::result_out_of_range ? Alarm::ValueOutOfRange : Alarm::NumberMissing,
             from, static_cast<std::size_t>(p - from), digits);
     if (!real && number > 2147483647.0) real = true;  // too large for INT
     value = real ? Value::of_real(number) : Value::of_int(number);
-    cursor_.at() = p;
+    x.line.cursor.at() = p;
     return true;
 }
 
 // 'H7F', 'B1001'; 'a' is a character.
-bool Interpreter::quoted_constant(Value& value) {
-    const char* const from = cursor_.at();
+bool quoted_constant(Execution& x, Value& value) {
+    const char* const from = x.line.cursor.at();
     const void* const found =
-        std::memchr(from + 1, '\'', static_cast<std::size_t>(cursor_.end() - from - 1));
-    if (!found) return syntax(from, "'");
+        std::memchr(from + 1, '\'', static_cast<std::size_t>(x.line.cursor.end() - from - 1));
+    if (!found) return syntax(x, from, "'");
     const auto* const close = static_cast<const char*>(found);
     const std::string_view inside(from + 1, static_cast<std::size_t>(close - from - 1));
     const char kind = inside.empty() ? '\0' : upper(inside[0]);
-    cursor_.at() = close + 1;
+    x.line.cursor.at() = close + 1;
     if (inside.size() == 1) {
         value = Value::of_char(static_cast<unsigned char>(inside[0]));
         return true;
     }
-    if (kind != 'H' && kind != 'B' && kind != 'D') return syntax(from, std::string(inside));
+    if (kind != 'H' && kind != 'B' && kind != 'D') return syntax(x, from, std::string(inside));
     const unsigned base = kind == 'H' ? 16 : kind == 'B' ? 2 : 10;
     std::uint64_t number = 0;
     bool any = false;
@@ -210,23 +218,23 @@ bool Interpreter::quoted_constant(Value& value) {
         const unsigned digit = is_digit(c)            ? static_cast<unsigned>(c - '0')
                                : c >= 'A' && c <= 'F' ? static_cast<unsigned>(c - 'A' + 10)
                                                       : 99;
-        if (digit >= base) return syntax(from, std::string(inside));
+        if (digit >= base) return syntax(x, from, std::string(inside));
         number = number * base + digit;
         any = true;
         if (number > 0xFFFFFFFFu)
-            return fail_at(Alarm::ValueOutOfRange, from, inside.size() + 2, std::string(inside));
+            return fail_at(x, Alarm::ValueOutOfRange, from, inside.size() + 2, std::string(inside));
     }
-    if (!any) return syntax(from, std::string(inside));
+    if (!any) return syntax(x, from, std::string(inside));
     value = Value::of_int(
         static_cast<double>(static_cast<std::int32_t>(static_cast<std::uint32_t>(number))));
     return true;
 }
 
-bool Interpreter::string_constant(Value& value) {
-    const char* const from = cursor_.at();
+bool string_constant(Execution& x, Value& value) {
+    const char* const from = x.line.cursor.at();
     const void* const found =
-        std::memchr(from + 1, '"', static_cast<std::size_t>(cursor_.end() - from - 1));
-    if (!found) return syntax(from, "\"");
+        std::memchr(from + 1, '"', static_cast<std::size_t>(x.line.cursor.end() - from - 1));
+    if (!found) return syntax(x, from, "\"");
     const auto* const close = static_cast<const char*>(found);
     std::string text(from + 1, static_cast<std::size_t>(close - from - 1));
     // 'H41' inside a text is the character with that code.
@@ -239,33 +247,34 @@ bool Interpreter::string_constant(Value& value) {
             text.replace(at, end - at + 1, 1, static_cast<char>(code));
     }
     value = Value::of_text(std::move(text));
-    cursor_.at() = close + 1;
+    x.line.cursor.at() = close + 1;
     return true;
 }
 
-bool Interpreter::named_value(Value& value) {
-    const char* const from = cursor_.at();
-    const std::string_view name = cursor_.name_ahead();
+bool named_value(Execution& x, Value& value) {
+    const char* const from = x.line.cursor.at();
+    const std::string_view name = x.line.cursor.name_ahead();
     const std::string word = upper(name);
     if (word == "TRUE" || word == "FALSE") {
-        cursor_.advance(name.size());
+        x.line.cursor.advance(name.size());
         value = Value::of_bool(word == "TRUE");
         return true;
     }
     Reference reference;
-    if (!reference_ahead(reference)) return false;
+    if (!reference_ahead(x, reference)) return false;
     if (reference) {
         if (reference.whole && !reference.variable->dimensions.empty())
-            return fail_at(Alarm::ArrayIndexMissing, from, name.size(), word);
+            return fail_at(x, Alarm::ArrayIndexMissing, from, name.size(), word);
         if (!reference.component.empty() && reference.variable->type == Type::String) {
             std::size_t i = 0;
-            if (!character_of(reference, from, i)) return false;
+            if (!character_of(x, reference, from, i)) return false;
             value = Value::of_char(static_cast<unsigned char>(reference.cell().text[i]));
             return true;
         }
         if (!reference.component.empty()) {
             static const FrameValue kNone;
-            return frame_component(word, reference.cell().frame ? *reference.cell().frame : kNone,
+            return frame_component(x, word,
+                                   reference.cell().frame ? *reference.cell().frame : kNone,
                                    reference.component, 0, value);
         }
         value = reference.cell();
@@ -274,47 +283,40 @@ bool Interpreter::named_value(Value& value) {
     const Symbol symbol = find_symbol(word);
     if (symbol.kind == Symbol::Kind::Command) {
         const Command& command = symbol.command();
-        if (!command.function) return syntax(from, word);
-        if (!command.act) return fail_at(Alarm::NotBuilt, from, name.size(), word);
-        cursor_.advance(name.size());
+        if (!command.function) return syntax(x, from, word);
+        if (!command.act) return fail_at(x, Alarm::NotBuilt, from, name.size(), word);
+        x.line.cursor.advance(name.size());
         Call call;
-        if (!read_arguments(command, call)) return false;
-        fault_column_ = cursor_.column(from);
-        fault_length_ = name.size();
-        if (!(this->*command.act)(call)) return false;
-        fault_column_ = fault_length_ = 0;
+        if (!read_arguments(x, command, call)) return false;
+        x.blame.column = x.line.cursor.column(from);
+        x.blame.length = name.size();
+        if (!command.act(x, call)) return false;
+        x.blame.column = x.blame.length = 0;
         value = std::move(call.result);
         return true;
     }
-    const int axis = find_axis(word);
+    const int axis = find_axis(x, word);
     if (axis >= 0) {
-        cursor_.advance(name.size());
+        x.line.cursor.advance(name.size());
         value = Value::of_axis(axis, word);
         return true;
     }
     if (symbol.kind == Symbol::Kind::Reserved)
-        return fail_at(Alarm::NotBuilt, from, name.size(), word);
+        return fail_at(x, Alarm::NotBuilt, from, name.size(), word);
     // frames turn about it
     if (const auto absent = std::string_view("XYZ").find(word);
         word.size() == 1 && absent != std::string_view::npos) {
-        cursor_.advance(name.size());
+        x.line.cursor.advance(name.size());
         value = Value::of_axis(kAbsentAxis - static_cast<int>(absent), word);
         return true;
     }
-    return fail_at(Alarm::NameUnknown, from, name.size(), word);
+    return fail_at(x, Alarm::NameUnknown, from, name.size(), word);
 }
 
-bool Interpreter::number_of(const Value& value, const char* at, double& number) {
-    if (!value.is_number())
-        return fail_at(Alarm::OperandTypeIllegal, at, 1, std::string(type_name(value.type)));
-    number = value.number;
-    return true;
-}
-
-bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& right) {
+bool apply(Execution& x, unsigned op, const char* at, Value& left, const Value& right) {
     const auto wrong = [&] {
         return fail_at(
-            Alarm::OperandTypeIllegal, at, 1,
+            x, Alarm::OperandTypeIllegal, at, 1,
             std::string(type_name(left.type)) + ", " + std::string(type_name(right.type)));
     };
     if (op == kJoin) {
@@ -324,7 +326,7 @@ bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& r
     }
     if (op == kChain) {
         if (!both(left, right, Type::Frame)) return wrong();
-        return chain_frames(left, right);
+        return chain_frames(x, left, right);
     }
     if (op >= kEq) {
         int order = 0;
@@ -366,7 +368,7 @@ bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& r
         case kDivide:
         case kDiv:
         case kMod:
-            if (b == 0) return fail_at(Alarm::DivisionByZero, at, 1);
+            if (b == 0) return fail_at(x, Alarm::DivisionByZero, at, 1);
             if (op == kDivide)
                 left = Value::of_real(a / b);
             else if (op == kDiv)
@@ -400,68 +402,26 @@ bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& r
     }
     if (left.type == Type::Int && (left.number > 2147483647.0 || left.number < -2147483648.0))
         left.type = Type::Real;
-    if (!std::isfinite(left.number)) return fail_at(Alarm::ValueOutOfRange, at, 1, "overflow");
+    if (!std::isfinite(left.number)) return fail_at(x, Alarm::ValueOutOfRange, at, 1, "overflow");
     return true;
 }
 
-// ( a, b, ) of a function or procedure; without brackets when it can do without arguments.
-bool Interpreter::read_arguments(const Command& command, Call& call) {
-    call.arguments.clear();
-    const char* const from = cursor_.at();
-    if (cursor_.peek() == '(') {
-        cursor_.advance(1);
-        if (!cursor_.eat(')')) {
-            for (;;) {
-                Argument argument;
-                const char next = cursor_.peek();
-                argument.column = cursor_.column(cursor_.at());
-                if (next != ',' && next != ')') {
-                    const std::size_t i = call.arguments.size();
-                    const std::string_view types = command.types;
-                    const bool in_turn = !types.empty() && types.back() == '+';
-                    const char type = types.empty() ? '*'
-                                      : in_turn     ? types[i % (types.size() - 1)]
-                                                    : types[std::min(i, types.size() - 1)];
-                    const char* const at = cursor_.at();
-                    if (type == 'w' && cursor_.peek() == '$' && upper(cursor_.next_raw(1)) != 'R') {
-                        if (!system_name(argument.system, argument.indices)) return false;
-                    } else if (type == 'v' || type == 'w') {
-                        if (!reference_ahead(argument.reference)) return false;
-                        if (!argument.reference)
-                            return fail_at(Alarm::ArgumentNoVariable, at, 1,
-                                           std::string(command.name), static_cast<double>(i + 1));
-                    } else {
-                        if (!expression(argument.value)) return false;
-                        const Type got = argument.value.type;
-                        const bool fits =
-                            type == '*' || (type == 'r' && argument.value.is_number()) ||
-                            (type == 'b' && argument.value.is_number()) ||
-                            (type == 's' && (got == Type::String || got == Type::Char)) ||
-                            (type == 'a' && (got == Type::Axis || got == Type::Int)) ||
-                            (type == 'c' &&
-                             (got == Type::Char ||
-                              (got == Type::String && argument.value.text.size() == 1))) ||
-                            (type == 'f' && got == Type::Frame);
-                        if (!fits)
-                            return fail_at(
-                                Alarm::ArgumentTypeIllegal, at, 1,
-                                std::string(command.name) + ": " + std::string(type_name(got)),
-                                static_cast<double>(i + 1));
-                        if (type == 's') convert(argument.value, Type::String);
-                    }
-                    argument.given = true;
-                }
-                call.arguments.push_back(std::move(argument));
-                if (cursor_.eat(')')) break;
-                if (!cursor_.eat(',')) return syntax(cursor_.at(), ")");
-                if (call.arguments.size() > 32)
-                    return fail_at(Alarm::ArgumentCountIllegal, from, 1, std::string(command.name));
-            }
-        }
+}  // namespace
+
+bool expression(Execution& x, Value& value) {
+    if (++x.line.depth > kDeepest) {
+        x.line.depth = 0;
+        return fail_at(x, Alarm::BracketsTooDeep, x.line.cursor.at(), 1, {}, kDeepest);
     }
-    if (call.arguments.size() < command.least || call.arguments.size() > command.most)
-        return fail_at(Alarm::ArgumentCountIllegal, from, 1, std::string(command.name),
-                       static_cast<double>(call.arguments.size()));
+    const bool ok = binary(x, value, 0);
+    if (x.line.depth) --x.line.depth;
+    return ok;
+}
+
+bool number_of(Execution& x, const Value& value, const char* at, double& number) {
+    if (!value.is_number())
+        return fail_at(x, Alarm::OperandTypeIllegal, at, 1, std::string(type_name(value.type)));
+    number = value.number;
     return true;
 }
 

@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/actions/synchronized.hpp"
+#include "channels/sinumerik/axes/axis_procedures.hpp"
+#include "channels/sinumerik/axes/feeds.hpp"
+#include "channels/sinumerik/coordination/procedures.hpp"
+#include "channels/sinumerik/geometry/geo_threads.hpp"
+#include "channels/sinumerik/grammar/tables.hpp"
+#include "channels/sinumerik/grammar/without_effect.hpp"
+#include "channels/sinumerik/spindles/spindle_commands.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -16,31 +23,27 @@ bool is_one_of(Act act, std::initializer_list<Act> all) {
 }  // namespace
 
 Fate fate_of(const GCode& row) {
-    using I = Interpreter;
-    if (!row.act || row.act == &I::geo_not_built) return Fate::Refused;
-    if (is_one_of(row.act, {&I::g_without_effect, &I::g_as_continuous})) return Fate::Warns;
-    return row.act == &I::g_as_machine ? Fate::AsMachine : Fate::Acts;
+    if (!row.act || row.act == geo_not_built) return Fate::Refused;
+    if (is_one_of(row.act, {g_without_effect, g_as_continuous})) return Fate::Warns;
+    return row.act == g_as_machine ? Fate::AsMachine : Fate::Acts;
 }
 
 Fate fate_of(const Address& row) {
-    using I = Interpreter;
     if (row.use == Address::Use::Refused) return Fate::Refused;
-    if (is_one_of(row.act,
-                  {&I::a_without_effect, &I::a_rounding, &I::a_handwheel_feed, &I::a_thread_ramp}))
+    if (is_one_of(row.act, {a_without_effect, a_rounding, a_handwheel_feed, a_thread_ramp}))
         return Fate::Warns;
-    return is_one_of(row.act, {&I::a_as_machine, &I::a_no_holder}) ? Fate::AsMachine : Fate::Acts;
+    return is_one_of(row.act, {a_as_machine, a_no_holder}) ? Fate::AsMachine : Fate::Acts;
 }
 
 Fate fate_of(const Command& row) {
-    using I = Interpreter;
     if (!row.act) return Fate::Refused;
-    if (is_one_of(row.act, {&I::p_without_effect, &I::p_profile_without_effect,
-                            &I::p_spindle_control, &I::p_action_reset, &I::p_cycle_steps}))
+    if (is_one_of(row.act, {p_without_effect, p_profile_without_effect, p_spindle_control,
+                            p_action_reset, p_cycle_steps}))
         return Fate::Warns;
     // a tangential axis is turned between two blocks anyway
     if (row.name == "TLIFT") return Fate::AsMachine;
-    return is_one_of(row.act, {&I::p_as_machine, &I::p_soft_axes, &I::p_spindle_speed,
-                               &I::p_master_holder, &I::p_geometry_axes, &I::p_swivel})
+    return is_one_of(row.act, {p_as_machine, p_soft_axes, p_spindle_speed, p_master_holder,
+                               p_geometry_axes, p_swivel})
                ? Fate::AsMachine
                : Fate::Acts;
 }

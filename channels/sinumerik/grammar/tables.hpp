@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "channels/sinumerik/grammar/value.hpp"
-#include "channels/sinumerik/variables/variables.hpp"
+#include "channels/sinumerik/variables/variable.hpp"
 
 namespace polyturn::channels::sinumerik {
 
-class Interpreter;
+struct Execution;
 struct Word;
 
 inline constexpr unsigned kGroups = 65;  // groups 1 to 64
@@ -23,7 +23,7 @@ struct GCode {
     std::string_view name;               // G1, DIAMON
     std::uint8_t group = 0, number = 0;  // number in the group: $P_GG, MD20150
     bool modal = true, preset = false;   // preset: active in the delivery state
-    using Act = bool (Interpreter::*)(const GCode&);
+    using Act = bool (*)(Execution&, const GCode&);
     // group 1: drives the block's axis words; other groups: when it is coded
     Act act = nullptr;
     // addresses that it reads itself, divided by blanks; "axes": axis words
@@ -40,7 +40,7 @@ struct Address {
         Setting,  // its own handler acts before the motion
         Refused,  // known, not built
     } use = Use::Block;
-    using Act = bool (Interpreter::*)(const Word&);
+    using Act = bool (*)(Execution&, const Word&);
     Act act = nullptr;
     bool is_signed = true;
     // may stand several times in a block (M, H, and what has an index)
@@ -75,7 +75,7 @@ struct Command {
     // of the arguments, the last one repeats, with + at the end all of them do: r number, s text, a
     // axis, b bool, c char, f frame, v variable, w variable or system variable, * any
     std::string_view types;
-    using Act = bool (Interpreter::*)(Call&);
+    using Act = bool (*)(Execution&, Call&);
     Act act = nullptr;
     bool own_block = false;  // nothing else may stand in its block
 };
@@ -83,7 +83,7 @@ struct Command {
 // A word that begins a statement: IF, DEF, GOTOF, CALL.
 struct Statement {
     std::string_view name;
-    using Act = bool (Interpreter::*)();
+    using Act = bool (*)(Execution&);
     Act act = nullptr;
 };
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "channels/sinumerik/geometry/frame_value.hpp"
+#include "channels/sinumerik/frames/frame_value.hpp"
 
 namespace polyturn::channels::sinumerik {
 

@@ -27,6 +27,12 @@ struct Tool {
 
 using ToolTable = std::map<std::int64_t, Tool>;
 
+// All tools, and the environments that TOOLENV keeps by name: T, D, DL.
+struct ToolStore {
+    ToolTable table;
+    std::map<std::string, std::array<double, 3>, std::less<>> environments;
+};
+
 // TOFFL, TOFF and TOFFR: mm.
 struct ToolLengths {
     std::array<double, 3> length_mm{};  // by L1 L2 L3, or by the geometry axes X Y Z

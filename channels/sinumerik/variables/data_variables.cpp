@@ -1,10 +1,16 @@
 // Machine and setting data by their names: $MC_GCODE_RESET_VALUES[5], $SC_FRAME_OFFSET_INCR_PROG=0,
 // $MA_MAX_AX_VELO[X]. They are rows of the parameter registry; a program may write setting data,
 // for its own run.
+#include "channels/sinumerik/variables/data_variables.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/axes/axis_names.hpp"
+#include "channels/sinumerik/execution.hpp"
+#include "channels/sinumerik/faults.hpp"
+#include "channels/sinumerik/spindles/speed_limits.hpp"
+#include "channels/sinumerik/variables/changes.hpp"
 #include "ipc/machine/store/edge_lengths.hpp"
 #include "ipc/params/registry.hpp"
 
@@ -91,13 +97,13 @@ constexpr std::string_view kConfiguration[] = {
 
 }  // namespace
 
-const params::Row* Interpreter::data_row(const std::string& name) {
+const params::Row* data_row(const std::string& name) {
     for (const DataName& one : kNames)
         if (one.name == name) return params::find(one.row);
     return nullptr;
 }
 
-bool Interpreter::is_data_name(std::string_view name) const {
+bool is_data_name(std::string_view name) {
     for (const std::string_view one : kConfiguration)
         if (one == name) return true;
     for (const DataName& one : kNames)
@@ -106,9 +112,8 @@ bool Interpreter::is_data_name(std::string_view name) const {
 }
 
 // Names and numbers of the axes (sinumerik_part2 18.1), and what the control itself fixes.
-bool Interpreter::configuration_value(const std::string& name, const std::vector<Value>& indices,
-                                      const char* from, std::size_t length, Value& value,
-                                      bool& known) {
+bool configuration_value(Execution& x, const std::string& name, const std::vector<Value>& indices,
+                         const char* from, std::size_t length, Value& value, bool& known) {
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     known = std::find(std::begin(kConfiguration), std::end(kConfiguration), name) !=
             std::end(kConfiguration);
@@ -117,15 +122,15 @@ bool Interpreter::configuration_value(const std::string& name, const std::vector
         value = Value::of_int(kMostEdgesOfTool);
         return true;
     }
-    const MachineView& view = core_.view();
+    const MachineView& view = x.core.view();
     const bool geometry = name.find("GEOAX") != std::string::npos,
                of_machine = name.starts_with("$MN");
     const std::size_t most = geometry ? 3 : of_machine ? kMaxAxes : kChannelAxes;
     if (indices.size() != 1 || !indices[0].is_number())
-        return fail_at(Alarm::ArrayIndexMissing, from, length, name);
+        return fail_at(x, Alarm::ArrayIndexMissing, from, length, name);
     const double index = std::nearbyint(indices[0].number);
     if (!(index >= 0 && index < static_cast<double>(most)))
-        return fail_at(Alarm::ArrayIndexIllegal, from, length, name, index);
+        return fail_at(x, Alarm::ArrayIndexIllegal, from, length, name, index);
     const auto n = static_cast<std::size_t>(index);
     // the letter of the axis and 1, as MD10000 is delivered; AX and the number where this channel
     // does not have it
@@ -143,7 +148,7 @@ bool Interpreter::configuration_value(const std::string& name, const std::vector
                       : n < view.axis_count ? static_cast<int>(n)
                                             : -1;
     if (name.ends_with("NAME_TAB")) {
-        value = Value::of_text(place < 0 ? std::string() : axis_name(place));
+        value = Value::of_text(place < 0 ? std::string() : axis_name(x, place));
         return true;
     }
     if (geometry) {
@@ -156,63 +161,65 @@ bool Interpreter::configuration_value(const std::string& name, const std::vector
 
 // The cell that a data name means; found is false for names that are no data, and for those that
 // are not built.
-bool Interpreter::data_cell(const std::string& name, const std::vector<Value>& indices,
-                            const char* from, std::size_t length, DataCell& cell) {
+bool data_cell(Execution& x, const std::string& name, const std::vector<Value>& indices,
+               const char* from, std::size_t length, DataCell& cell) {
     cell = {};
     if (name.size() < 5 || (!name.starts_with("$M") && !name.starts_with("$S")) || name[3] != '_')
         return true;
     const params::Row* row = data_row(name);
-    if (!row) return fail_at(Alarm::SystemVariableUnknown, from, length, name);
+    if (!row) return fail_at(x, Alarm::SystemVariableUnknown, from, length, name);
     unsigned instance = 1;
     std::size_t element = 0;
-    if (row->scope == params::Scope::Channel) instance = core_.view().channel;
+    if (row->scope == params::Scope::Channel) instance = x.core.view().channel;
     for (const Value& index : indices) {
         if (index.type == Type::Axis) {
             if (row->scope == params::Scope::Axis && index.place() >= 0 &&
                 index.place() < kSpindleAxis)
                 instance =
-                    core_.view().axes[static_cast<std::size_t>(index.place())].machine_axis + 1u;
+                    x.core.view().axes[static_cast<std::size_t>(index.place())].machine_axis + 1u;
             else if (row->scope == params::Scope::Spindle && index.place() >= kSpindleAxis)
                 instance = static_cast<unsigned>(index.place() - kSpindleAxis);
             else
-                return fail_at(Alarm::AxisKindWrong, from, length, index.text);
+                return fail_at(x, Alarm::AxisKindWrong, from, length, index.text);
         } else if (index.is_number() && index.number >= 0) {
             const double n = std::nearbyint(std::fmin(index.number, 1e6));
             if (row->array > 1)
                 element = static_cast<std::size_t>(n);
             else if (row->scope == params::Scope::Spindle)
-                instance = n > 0 ? static_cast<unsigned>(n) : modal_.master_spindle;
+                instance = n > 0 ? static_cast<unsigned>(n) : x.modal.master_spindle;
         } else {
-            return fail_at(Alarm::ArrayIndexIllegal, from, length, name);
+            return fail_at(x, Alarm::ArrayIndexIllegal, from, length, name);
         }
     }
-    if (row->scope == params::Scope::Spindle && indices.empty()) instance = modal_.master_spindle;
+    if (row->scope == params::Scope::Spindle && indices.empty()) instance = x.modal.master_spindle;
     const bool axis_missing =
         row->scope == params::Scope::Axis && (indices.empty() || indices.back().type != Type::Axis);
-    if (axis_missing) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+    if (axis_missing) return fail_at(x, Alarm::AxisArgumentMissing, from, length, name);
     if (element >= row->array || instance < 1 || instance > params::instances(row->scope))
-        return fail_at(Alarm::ArrayIndexIllegal, from, length, name, static_cast<double>(element));
+        return fail_at(x, Alarm::ArrayIndexIllegal, from, length, name,
+                       static_cast<double>(element));
     cell.row = row;
     cell.slot = row->first_slot + (instance - 1) * row->array + element;
     return true;
 }
 
-bool Interpreter::write_data(const DataCell& cell, const std::string& name, double value,
-                             const char* from, std::size_t length) {
-    if (!name.starts_with("$S")) return fail_at(Alarm::SystemVariableReadOnly, from, length, name);
+bool write_data(Execution& x, const DataCell& cell, const std::string& name, double value,
+                const char* from, std::size_t length) {
+    if (!name.starts_with("$S"))
+        return fail_at(x, Alarm::SystemVariableReadOnly, from, length, name);
     if (!(value >= cell.row->min && value <= cell.row->max))
-        return fail_at(Alarm::ValueOutOfRange, from, length, name);
-    params::Table& table = *core_.view().parameters;
+        return fail_at(x, Alarm::ValueOutOfRange, from, length, name);
+    params::Table& table = *x.core.view().parameters;
     const std::size_t slot = cell.slot;
-    undo([this, slot, before = table.numbers[slot]] {
-        core_.view().parameters->numbers[slot] = before;
-        settings_ = read_settings(core_.view().table(), core_.view());
+    undo(x, [&x, slot, before = table.numbers[slot]] {
+        x.core.view().parameters->numbers[slot] = before;
+        x.settings = read_settings(x.core.view().table(), x.core.view());
     });
     table.numbers[slot] = value;
-    tell_speed_limit(*cell.row, slot, value);
+    tell_speed_limit(x, *cell.row, slot, value);
     // those of G25, G26 stand there too
-    if (name.starts_with("$SA_WORKAREA_LIMIT")) modal_.geo.area_high = modal_.geo.area_low = 0;
-    settings_ = read_settings(core_.view().table(), core_.view());
+    if (name.starts_with("$SA_WORKAREA_LIMIT")) x.modal.geo.area_high = x.modal.geo.area_low = 0;
+    x.settings = read_settings(x.core.view().table(), x.core.view());
     return true;
 }
 

@@ -1,42 +1,27 @@
-// Variables of the language: R parameters, what DEF declares, parameters of subprograms.
+// Variables: found by name, assigned, reported; outputs.
 #pragma once
-#include <map>
-#include <memory>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "channels/sinumerik/grammar/value.hpp"
+#include "channels/sinumerik/execution.hpp"
 
 namespace polyturn::channels::sinumerik {
 
-// A scalar is an array of one element. Several names (VAR parameters) may share one store.
-struct Variable {
-    Type type = Type::Real;
-    std::vector<unsigned> dimensions;  // empty: scalar; at most three
-    std::size_t text_length = 200;     // STRING[n]
-    bool has_lower = false, has_upper = false;
-    double lower = 0.0, upper = 0.0;  // LLI, ULI
-    int unit = 0;                     // PHU
-    std::vector<Value> defaults;      // what DEF gave it, where it gave something
-    std::vector<Value> cells;
-    std::string name;  // as declared, capital letters
-};
+Reference find_variable(const Execution& x, std::string_view name);
+bool reference_ahead(Execution& x, Reference& reference);
+bool index_list(Execution& x, std::vector<Value>& indices);
+bool element_of(Execution& x, const Variable& variable, const std::vector<Value>& indices,
+                const char* at, std::size_t& element);
+bool character_of(Execution& x, const Reference& reference, const char* at, std::size_t& i);
+void store(Execution& x, const Reference& reference, Value value);
+bool assign(Execution& x, const Reference& reference, Value value, const char* at);
+bool assignment(Execution& x, const Reference& reference);
+void report_variable(Execution& x, const std::string& name, const Value& value);
+void look_at_outputs(Execution& x);
 
-// One element of a variable: what is to the left of =, and what a VAR parameter refers to.
-struct Reference {
-    std::shared_ptr<Variable> variable;
-    std::size_t element = 0;
-    // an array without its indices: a VAR parameter takes all of it
-    bool whole = false;
-    // of a frame variable: the axis and the part (TR FI RT SC MI) that are meant
-    std::vector<Value> component{};
-    explicit operator bool() const { return variable != nullptr; }
-    Value& cell() const { return variable->cells[element]; }
-};
-
-// The names of one program level.
-struct Scope {
-    std::map<std::string, Reference, std::less<>> names;
-};
+// the names of the running program
+inline std::shared_ptr<Scope> scope(const Execution& x) { return x.calls.levels.back().scope; }
 
 }  // namespace polyturn::channels::sinumerik

@@ -10,7 +10,7 @@
 #include "channels/fagor/grammar/g_codes.hpp"
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/sinumerik/grammar/tables.hpp"
-#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/geometry/geo_threads.hpp"
 #include "ipc/forms/cycle_block.hpp"
 #include "tests/unit/channels/play.hpp"
 
@@ -96,8 +96,8 @@ TEST(Forms, OfSinumerikTakeWhatTheCodesTake) {
     unsigned seen = 0;
     for (const GCode& row : g_codes()) {
         const bool cycle =
-            row.act == &Interpreter::geo_thread || row.act == &Interpreter::geo_barrel ||
-            row.act == &Interpreter::geo_tap || row.act == &Interpreter::geo_tap_chuck;
+            row.act == &geo_thread || row.act == &geo_barrel ||
+            row.act == &geo_tap || row.act == &geo_tap_chuck;
         if (!cycle) continue;
         bool found = false;
         for (const Form& form : forms::sinumerik_forms()) {

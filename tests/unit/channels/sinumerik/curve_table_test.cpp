@@ -1,6 +1,6 @@
 // Curve tables (sinumerik_part3 7.4, 9.3): by hand in programs, and against a slow search in random
 // tables.
-#include "channels/sinumerik/axes/curve_table.hpp"
+#include "channels/sinumerik/curve_tables/curve_table.hpp"
 
 #include <gtest/gtest.h>
 
