@@ -88,7 +88,7 @@ private:
         smallFoot(QRectF(left_, bottom, wide_, foot));
     }
 
-    static double kSmallHead() { return px(11); }
+    static double kSmallHead() { return px(14); }
     static double kLeastRow() { return px(12); }
     static double kSmallBlock() { return px(20); }
 
