@@ -119,8 +119,16 @@ StartPlan startPlan(const Live& live, unsigned group) {
 }
 
 QString channelList(const std::vector<unsigned>& channels) {
+    constexpr std::size_t kRange = 4;  // fewer in a row are named one by one
     QStringList out;
-    for (const unsigned channel : channels) out << QString("L%1").arg(channel);
+    for (std::size_t first = 0, behind = 0; first < channels.size(); first = behind) {
+        behind = first + 1;
+        while (behind < channels.size() && channels[behind] == channels[behind - 1] + 1) ++behind;
+        if (behind - first >= kRange)
+            out << QString::fromUtf8("L%1–L%2").arg(channels[first]).arg(channels[behind - 1]);
+        else
+            for (std::size_t i = first; i < behind; ++i) out << QString("L%1").arg(channels[i]);
+    }
     return out.join(' ');
 }
 
@@ -161,7 +169,7 @@ Plight plight(const Live& live, const AlarmLog& alarms, unsigned channel) {
         return {Plight::Kind::Waits, waitWords(live, channel)};
     if (state != ChannelState::Running && status.start_missing)
         return {Plight::Kind::Needs,
-                word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+                word("Start blocked:") + " " + startNeeds(live, channel).join("; ")};
     if (state == ChannelState::Held && status.mdi_waiting &&
         static_cast<ChannelMode>(status.mode) != ChannelMode::Mdi)
         return {Plight::Kind::Stands, word("A block entered by hand waits: start runs it")};

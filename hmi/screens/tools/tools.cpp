@@ -257,7 +257,7 @@ void Tools::showPage(Page page) {
     version_ = 0;
     lookAt_ = 0;
     taken_ = 0;
-    if (page == Page::Data && !chosen() && !rows_.empty()) tool_ = rows_.front();
+    if (page == Page::Data && !chosen() && !awaited() && !rows_.empty()) tool_ = rows_.front();
     if (page == Page::Data) fillData();
     if (page == Page::Life) fillLife();
     if (page == Page::Pallets) fillPallets();
@@ -328,7 +328,7 @@ void Tools::fillList() {
     list_->nothing = filter_ == Filter::All && search_.isEmpty()
                          ? word("There are no tools yet: «New tool» on the page of tool data.")
                          : word("No tool is like this.");
-    if (!followPlace() && !chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
+    if (!followPlace() && !chosen() && !awaited()) tool_ = rows_.empty() ? 0 : rows_.front();
 }
 
 // In the picture the keys act on what stands in the chosen place, and on nothing where it is empty.
