@@ -11,28 +11,27 @@
 namespace polyturn::hmi {
 
 StateWords stateWords(const ChannelStatus& status) {
-    const Theme& t = theme();
     switch (static_cast<ChannelState>(status.state)) {
         case ChannelState::Running:
-            return {word("Runs"), Sign::Run, t.good};
+            return {word("Runs"), Sign::Run, Tone::Good};
         case ChannelState::Held:
-            return {word("Held"), Sign::Hold, t.warn};
+            return {word("Held"), Sign::Hold, Tone::Warning};
         case ChannelState::Waiting:
-            return {word("Waits"), Sign::Wait, t.wait};
+            return {word("Waits"), Sign::Wait, Tone::Waiting};
         case ChannelState::ProgramStop:
-            return {word("Stopped"), Sign::Stop, t.warn};
+            return {word("Stopped"), Sign::Stop, Tone::Warning};
         case ChannelState::Ended:
-            return {word("Ended"), Sign::Ended, t.accent};
+            return {word("Ended"), Sign::Ended, Tone::Note};
         case ChannelState::Interrupted:
-            return {word("Interrupted"), Sign::Alarm, t.bad};
+            return {word("Interrupted"), Sign::Alarm, Tone::Bad};
         case ChannelState::Dead:
-            return {word("Process dead"), Sign::Alarm, t.bad};
+            return {word("Process dead"), Sign::Alarm, Tone::Bad};
         case ChannelState::Reset:
-            return {word("Reset"), Sign::Reset, t.dim};
+            return {word("Reset"), Sign::Reset, Tone::Quiet};
         case ChannelState::Absent:
             break;
     }
-    return {word("Absent"), Sign::Off, t.dim};
+    return {word("Absent"), Sign::Off, Tone::Quiet};
 }
 
 QString modeWord(std::uint32_t mode) {

@@ -254,11 +254,12 @@ void Manual::composeAxes(Writer& w) {
         if (step < px(48)) {
             w.text(QRectF(box.left(), px(3), box.width(), px(19)), QString::number(channel),
                    lettering(14, here), t.text, Qt::AlignCenter);
-            w.sign(QRectF(box.center().x() - px(7), px(24), px(14), px(14)), its.sign, its.colour);
+            w.sign(QRectF(box.center().x() - px(7), px(24), px(14), px(14)), its.sign,
+                   colourOf(its.tone));
         } else {
             w.sign(QRectF(box.left() + px(narrow ? 5 : 10), narrow ? px(13) : px(12),
                           px(narrow ? 16 : 18), px(narrow ? 16 : 18)),
-                   its.sign, its.colour);
+                   its.sign, colourOf(its.tone));
             w.text(box.adjusted(px(narrow ? 24 : 34), 0, -px(2), 0), QString("L%1").arg(channel),
                    lettering(narrow ? 15 : 18, here), t.text);
         }
@@ -269,7 +270,7 @@ void Manual::composeAxes(Writer& w) {
     const StateWords state = stateWords(status);
     w.text(QRectF(x + px(8), 0, wide - x - px(18), px(42)),
            modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true),
-           state.colour, kRight);
+           colourOf(state.tone), kRight);
     // axes, each with its keys
     const bool refused = !whyNotMoved().isEmpty();
     const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
