@@ -506,12 +506,15 @@ void MainWindow::composeLine(Writer& w) {
     const Theme& t = theme();
     const bool fresh = QDateTime::currentMSecsSinceEpoch() < toldUntil_;
     w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
-    const QColor colour = how_ == Told::Refused ? t.bad : how_ == Told::Good ? t.good : t.accent;
+    const QColor colour = how_ == Told::Refused   ? t.bad
+                          : how_ == Told::Warning ? t.warn
+                          : how_ == Told::Good    ? t.good
+                                                  : t.accent;
     w.sign(QRectF(px(10), px(6), px(18), px(18)),
-           !fresh                  ? Sign::None
-           : how_ == Told::Refused ? Sign::Warning
-           : how_ == Told::Good    ? Sign::Good
-                                   : Sign::Note,
+           !fresh                                           ? Sign::None
+           : how_ == Told::Refused || how_ == Told::Warning ? Sign::Warning
+           : how_ == Told::Good                             ? Sign::Good
+                                                            : Sign::Note,
            colour);
     w.data(QRectF(px(36), 0, line_->width() - px(46), line_->height()), fresh ? told_ : QString(),
            lettering(14.5), how_ == Told::Refused ? t.bad : t.text);
@@ -538,7 +541,10 @@ void MainWindow::topTouched(int number) {
     switch (number) {
         case kHitAlarm:
             for (std::size_t i = 0; i < screens_.size(); ++i)
-                if (QString(screens_[i]->name()) == "alarms") showScreen(static_cast<int>(i));
+                if (QString(screens_[i]->name()) == "alarms") {
+                    showScreen(static_cast<int>(i));
+                    screens_[i]->turnTo(0);  // the one that was touched is the first of its list
+                }
             break;
         case kHitLanguage:
             setDisplayLanguage(kDisplayLanguages[(static_cast<std::size_t>(spoken()) + 1) %

@@ -41,9 +41,10 @@ struct HelpTopic {
     bool code = false;  // find a word of a program: whole, and as it is written
 };
 
-inline constexpr int kOffsetsScreen = 3;  // Desk::show(): its place in screen_list.cpp
+// Context::show(): their places in screen_list.cpp
+inline constexpr int kProgramsScreen = 2, kOffsetsScreen = 3;
 
-enum class Told : std::uint8_t { Note, Good, Refused };
+enum class Told : std::uint8_t { Note, Good, Warning, Refused };
 
 // What every screen may use.
 struct Context {
@@ -61,6 +62,12 @@ struct Context {
     QString draftFile = {};  // where it is kept; empty: nowhere
     // whose line the screen of offsets goes to when it is shown next; 0: none
     std::int32_t toolOfOffsets = 0, edgeOfOffsets = 0;
+    // what the editor opens when the screen of programs is shown next; no file: nothing
+    struct ProgramPlace {
+        QString file;
+        int line = 0;
+    };
+    ProgramPlace placeToEdit = {};
     KeptPieces kept = {};  // of what screens show
     // the channel, if there is such a one
     void choose(unsigned wanted);

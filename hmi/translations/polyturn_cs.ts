@@ -104,6 +104,11 @@
         <translation>%1 sem nepatří</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>%1 is not there any more</source>
+        <translation>%1 už není k dispozici</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected</source>
         <translation>%1 je chráněn</translation>
@@ -256,7 +261,7 @@
     <message>
         <location filename="../screens/machine/compensation_page.cpp"/>
         <source>+ Input</source>
-        <translation>+ Vstup</translation>
+        <translation>+ Zadat</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -320,18 +325,18 @@
     </message>
     <message>
         <location filename="../screens/overview/manual.cpp"/>
+        <source>A program is held: «Jog in hold %1» lets its axes be moved</source>
+        <translation>Program je zastaven: osami se jezdí klávesou «Ruční pojezd v zastavení %1»</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
         <translation>Běží program: ručně se osy posouvají při zastavení, po „Ruční pojezd v zastavení“</translation>
     </message>
     <message>
         <location filename="../screens/tools/presetter_page.cpp"/>
         <source>A program works with it: press again</source>
-        <translation>Program s ní pracuje: ještě jednou</translation>
-    </message>
-    <message>
-        <location filename="../machine/live/channel_words.cpp"/>
-        <source>A start needs:</source>
-        <translation>Start vyžaduje:</translation>
+        <translation>Program s ní pracuje: znovu</translation>
     </message>
     <message>
         <location filename="../screens/programs/cycle_form_page.cpp"/>
@@ -1071,7 +1076,7 @@
     <message>
         <location filename="../screens/programs/job_views.cpp"/>
         <source>Decides the time</source>
-        <translation>Určuje čas</translation>
+        <translation>Kritická cesta</translation>
     </message>
     <message>
         <location filename="../screens/machine/parameters.cpp"/>
@@ -1454,14 +1459,14 @@
         <translation>Enter blok převezme, start provede</translation>
     </message>
     <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>Enter the job's zeros</source>
-        <translation>Zadat nuly zakázky</translation>
-    </message>
-    <message>
         <location filename="../screens/programs/contour_page.cpp"/>
         <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
         <translation>Zadejte počáteční bod, pak přidávejte úsečky a oblouky podle výkresu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Enter zeros, offsets</source>
+        <translation>Zadat nuly, korekce</translation>
     </message>
     <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
@@ -1476,12 +1481,12 @@
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Enters the relative counter: press again</source>
-        <translation>Zapíše počítadlo: ještě jednou</translation>
+        <translation>Zapíše počítadlo: znovu</translation>
     </message>
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Enters what was touched: press again</source>
-        <translation>Zapíše dotyk: ještě jednou</translation>
+        <translation>Zapíše dotyk: znovu</translation>
     </message>
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
@@ -1961,7 +1966,7 @@
     <message>
         <location filename="../screens/machine/compensation_page.cpp"/>
         <source>Input</source>
-        <translation>Vstup</translation>
+        <translation>Zadat</translation>
     </message>
     <message>
         <location filename="../machine/live/channel_words.cpp"/>
@@ -2016,7 +2021,7 @@
     <message>
         <location filename="../screens/machine/system.cpp"/>
         <source>It is gone: press again</source>
-        <translation>Bude pryč: ještě jednou</translation>
+        <translation>Bude pryč: znovu</translation>
     </message>
     <message>
         <location filename="../screens/programs/editor_files.cpp"/>
@@ -2026,7 +2031,7 @@
     <message>
         <location filename="../screens/tools/presetter_page.cpp"/>
         <source>It is the gauge pin: press again</source>
-        <translation>Je to kolík: ještě jednou</translation>
+        <translation>Je to kolík: znovu</translation>
     </message>
     <message>
         <location filename="../screens/programs/editor_page.cpp"/>
@@ -2061,7 +2066,7 @@
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Its values go: press again</source>
-        <translation>Hodnoty zmizí: ještě jednou</translation>
+        <translation>Hodnoty zmizí: znovu</translation>
     </message>
     <message>
         <location filename="../machine/live/channel_words.cpp"/>
@@ -2414,6 +2419,11 @@
         <translation>MDI</translation>
     </message>
     <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>MDI mode takes blocks, and a program in hold</source>
+        <translation>Bloky přijímá MDI a zastavený program</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>MEFI constants</source>
         <translation>Konstanty MEFI</translation>
@@ -2744,6 +2754,11 @@
         <translation>Nespuštěno</translation>
     </message>
     <message>
+        <location filename="../screens/overview/restart_page.cpp"/>
+        <source>No tool has been called where the programs stopped: touch a block, or type its number</source>
+        <translation>Před místem zastavení nebyl volán nástroj: dotkněte se bloku nebo zadejte jeho číslo</translation>
+    </message>
+    <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
         <source>No tool is chosen.</source>
         <translation>Není zvolen nástroj.</translation>
@@ -2942,6 +2957,11 @@
         <location filename="../screens/machine/system.cpp"/>
         <source>Open folder</source>
         <translation>Otevřít složku</translation>
+    </message>
+    <message>
+        <location filename="../screens/machine/alarms.cpp"/>
+        <source>Open the program</source>
+        <translation>Otevřít program</translation>
     </message>
     <message>
         <location filename="../screens/programs/contour_page.cpp"/>
@@ -3306,7 +3326,7 @@
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Probe is offset %1: press again</source>
-        <translation>Sonda: korekce %1, ještě jednou</translation>
+        <translation>Sonda: korekce %1, znovu</translation>
     </message>
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
@@ -3556,7 +3576,7 @@
     <message>
         <location filename="../screens/programs/programs.cpp"/>
         <source>Replaces what is entered: press again</source>
-        <translation>Přepíše zadané: ještě jednou</translation>
+        <translation>Přepíše zadané: znovu</translation>
     </message>
     <message>
         <location filename="../machine/programs/setup_sheet.cpp"/>
@@ -4009,6 +4029,11 @@
         <translation>Start všech</translation>
     </message>
     <message>
+        <location filename="../machine/live/channel_words.cpp"/>
+        <source>Start blocked:</source>
+        <translation>Start je blokován:</translation>
+    </message>
+    <message>
         <location filename="../screens/overview/overview.cpp"/>
         <source>Start goes back along the path: press again</source>
         <translation>Start pojede po dráze zpět: znovu</translation>
@@ -4304,6 +4329,11 @@
         <translation>Synchronizace protivřetena zrušena</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>The editor holds a text that is not saved</source>
+        <translation>V editoru je neuložený text</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>The file is being read ...</source>
         <translation>Soubor se čte ...</translation>
@@ -4342,6 +4372,11 @@
         <location filename="../screens/programs/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Předchozí program se ještě zapisuje.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>The line of MDI is not entered: choose MDI, or delete the line</source>
+        <translation>Řádek MDI není zadán: zvolte MDI, nebo jej smažte</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4466,22 +4501,12 @@
     <message>
         <location filename="../screens/overview/hand_page.cpp"/>
         <source>The spindle turns: press again</source>
-        <translation>Vřeteno se roztočí: ještě jednou</translation>
+        <translation>Vřeteno se roztočí: znovu</translation>
     </message>
     <message>
         <location filename="../screens/overview/hand_page.cpp"/>
         <source>The turret turns: press again</source>
         <translation>Revolver se otočí: znovu</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros of %1 are entered</source>
-        <translation>Nulové body zakázky %1 jsou zadány</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros stand as before</source>
-        <translation>Nulové body jsou zase původní</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4945,8 +4970,8 @@
     </message>
     <message>
         <location filename="../screens/programs/programs.cpp"/>
-        <source>Undo the zeros</source>
-        <translation>Vrátit nuly</translation>
+        <source>Undo zeros, offsets</source>
+        <translation>Vrátit nuly, korekce</translation>
     </message>
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
@@ -4966,7 +4991,7 @@
     <message>
         <location filename="../screens/programs/programs.cpp"/>
         <source>Unsaved text goes: press again</source>
-        <translation>Neuložené zmizí: ještě jednou</translation>
+        <translation>Neuložené zmizí: znovu</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -5156,7 +5181,7 @@
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Without a probe offset: press again</source>
-        <translation>Bez korekce sondy: ještě jednou</translation>
+        <translation>Bez korekce sondy: znovu</translation>
     </message>
     <message>
         <location filename="../screens/machine/parameters.cpp"/>
@@ -5231,7 +5256,7 @@
     <message>
         <location filename="../screens/tools/presetter_page.cpp"/>
         <source>Writes the offset: press again</source>
-        <translation>Zapíše korekci: ještě jednou</translation>
+        <translation>Zapíše korekci: znovu</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -5267,6 +5292,16 @@
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Zeros</source>
         <translation>Nulové body</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets of %1 are entered</source>
+        <translation>Nuly a korekce z %1 jsou zadány</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets stand as before</source>
+        <translation>Nuly a korekce jsou jako dříve</translation>
     </message>
     <message>
         <location filename="../machine/live/channel_words.cpp"/>

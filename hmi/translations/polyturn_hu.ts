@@ -104,6 +104,11 @@
         <translation>%1 ide nem illik</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>%1 is not there any more</source>
+        <translation>%1 már nincs meg</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected</source>
         <translation>%1 védett</translation>
@@ -320,6 +325,11 @@
     </message>
     <message>
         <location filename="../screens/overview/manual.cpp"/>
+        <source>A program is held: «Jog in hold %1» lets its axes be moved</source>
+        <translation>A program áll: a tengelyeket a «Kézi mozgatás álljban %1» mozgatja</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
         <translation>Program fut: kézzel a tengelyek állj közben mozgathatók, a „Kézi mozgatás álljban” után</translation>
     </message>
@@ -327,11 +337,6 @@
         <location filename="../screens/tools/presetter_page.cpp"/>
         <source>A program works with it: press again</source>
         <translation>Program dolgozik vele: még egyszer</translation>
-    </message>
-    <message>
-        <location filename="../machine/live/channel_words.cpp"/>
-        <source>A start needs:</source>
-        <translation>Az indításhoz kell:</translation>
     </message>
     <message>
         <location filename="../screens/programs/cycle_form_page.cpp"/>
@@ -761,7 +766,7 @@
     <message>
         <location filename="../screens/machine/alarms.cpp"/>
         <source>Cause</source>
-        <translation>Ok</translation>
+        <translation>Kiváltó ok</translation>
     </message>
     <message>
         <location filename="../screens/machine/compensation_page.cpp"/>
@@ -1454,14 +1459,14 @@
         <translation>Enter átveszi, a start végrehajtja</translation>
     </message>
     <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>Enter the job's zeros</source>
-        <translation>A megbízás nullpontjai</translation>
-    </message>
-    <message>
         <location filename="../screens/programs/contour_page.cpp"/>
         <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
         <translation>Adja meg a kezdőpontot, majd az egyeneseket és íveket a rajz szerint.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Enter zeros, offsets</source>
+        <translation>Nullpontok, korrekciók beírása</translation>
     </message>
     <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
@@ -1881,7 +1886,7 @@
     <message>
         <location filename="../machine/live/channel_words.cpp"/>
         <source>Held</source>
-        <translation>Tartva</translation>
+        <translation>Előtolás állj</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -2414,6 +2419,11 @@
         <translation>MDI</translation>
     </message>
     <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>MDI mode takes blocks, and a program in hold</source>
+        <translation>Mondatot az MDI mód és az álló program vesz át</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>MEFI constants</source>
         <translation>MEFI-állandók</translation>
@@ -2744,6 +2754,11 @@
         <translation>Nincs start</translation>
     </message>
     <message>
+        <location filename="../screens/overview/restart_page.cpp"/>
+        <source>No tool has been called where the programs stopped: touch a block, or type its number</source>
+        <translation>A megállásig nem volt szerszámhívás: érintsen meg egy mondatot, vagy írja be a számát</translation>
+    </message>
+    <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
         <source>No tool is chosen.</source>
         <translation>Nincs kiválasztott szerszám.</translation>
@@ -2942,6 +2957,11 @@
         <location filename="../screens/machine/system.cpp"/>
         <source>Open folder</source>
         <translation>Mappa megnyitása</translation>
+    </message>
+    <message>
+        <location filename="../screens/machine/alarms.cpp"/>
+        <source>Open the program</source>
+        <translation>Program megnyitása</translation>
     </message>
     <message>
         <location filename="../screens/programs/contour_page.cpp"/>
@@ -4009,6 +4029,11 @@
         <translation>Start: mind</translation>
     </message>
     <message>
+        <location filename="../machine/live/channel_words.cpp"/>
+        <source>Start blocked:</source>
+        <translation>Az indítás tiltva:</translation>
+    </message>
+    <message>
         <location filename="../screens/overview/overview.cpp"/>
         <source>Start goes back along the path: press again</source>
         <translation>A start visszafelé visz a pályán: újra</translation>
@@ -4304,6 +4329,11 @@
         <translation>Az ellenorsó szinkronja oldva</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>The editor holds a text that is not saved</source>
+        <translation>A szerkesztőben mentetlen szöveg van</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>The file is being read ...</source>
         <translation>Fájl olvasása...</translation>
@@ -4342,6 +4372,11 @@
         <location filename="../screens/programs/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Az előző program írása még folyik.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>The line of MDI is not entered: choose MDI, or delete the line</source>
+        <translation>Az MDI sor nincs beírva: válassza az MDI-t, vagy törölje a sort</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4472,16 +4507,6 @@
         <location filename="../screens/overview/hand_page.cpp"/>
         <source>The turret turns: press again</source>
         <translation>A revolver fordul: újra</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros of %1 are entered</source>
-        <translation>A(z) %1 nullpontjai beírva</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros stand as before</source>
-        <translation>A nullpontok a korábbiak</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4945,8 +4970,8 @@
     </message>
     <message>
         <location filename="../screens/programs/programs.cpp"/>
-        <source>Undo the zeros</source>
-        <translation>Nullpontok vissza</translation>
+        <source>Undo zeros, offsets</source>
+        <translation>Nullpontok, korrekciók vissza</translation>
     </message>
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
@@ -5267,6 +5292,16 @@
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Zeros</source>
         <translation>Nullpontok</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets of %1 are entered</source>
+        <translation>%1 nullpontjai és korrekciói beírva</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets stand as before</source>
+        <translation>A nullpontok és korrekciók a régiek</translation>
     </message>
     <message>
         <location filename="../machine/live/channel_words.cpp"/>

@@ -104,6 +104,11 @@
         <translation>%1 сюда не подходит</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>%1 is not there any more</source>
+        <translation>%1 больше нет</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>%1 is protected</source>
         <translation>%1 защищён</translation>
@@ -320,6 +325,11 @@
     </message>
     <message>
         <location filename="../screens/overview/manual.cpp"/>
+        <source>A program is held: «Jog in hold %1» lets its axes be moved</source>
+        <translation>Программа остановлена: оси перемещает «Ручное перемещение в останове %1»</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
         <source>A program runs: axes are moved by hand in a hold, after «Jog in hold»</source>
         <translation>Идёт программа: вручную оси движутся на стопе подачи, после «Ручное перемещение в останове»</translation>
     </message>
@@ -327,11 +337,6 @@
         <location filename="../screens/tools/presetter_page.cpp"/>
         <source>A program works with it: press again</source>
         <translation>Используется программой: ещё раз</translation>
-    </message>
-    <message>
-        <location filename="../machine/live/channel_words.cpp"/>
-        <source>A start needs:</source>
-        <translation>Для пуска нужно:</translation>
     </message>
     <message>
         <location filename="../screens/programs/cycle_form_page.cpp"/>
@@ -1454,14 +1459,14 @@
         <translation>Enter принимает кадр, пуск выполняет</translation>
     </message>
     <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>Enter the job's zeros</source>
-        <translation>Ввести нули задания</translation>
-    </message>
-    <message>
         <location filename="../screens/programs/contour_page.cpp"/>
         <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
         <translation>Введите начальную точку, затем добавляйте отрезки и дуги по чертежу.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Enter zeros, offsets</source>
+        <translation>Ввести нули, корректоры</translation>
     </message>
     <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
@@ -2414,6 +2419,11 @@
         <translation>РВД</translation>
     </message>
     <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>MDI mode takes blocks, and a program in hold</source>
+        <translation>Кадры принимают режим РВД и останов подачи</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>MEFI constants</source>
         <translation>Константы MEFI</translation>
@@ -2744,6 +2754,11 @@
         <translation>Нет пуска</translation>
     </message>
     <message>
+        <location filename="../screens/overview/restart_page.cpp"/>
+        <source>No tool has been called where the programs stopped: touch a block, or type its number</source>
+        <translation>До места останова инструмент не вызывался: коснитесь кадра или введите его номер</translation>
+    </message>
+    <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
         <source>No tool is chosen.</source>
         <translation>Инструмент не выбран.</translation>
@@ -2944,6 +2959,11 @@
         <translation>Открыть папку</translation>
     </message>
     <message>
+        <location filename="../screens/machine/alarms.cpp"/>
+        <source>Open the program</source>
+        <translation>Открыть программу</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/contour_page.cpp"/>
         <source>Open: %1 more data are needed, here or in the next elements.</source>
         <translation>Открыто: нужно ещё данных: %1, здесь или в следующих элементах.</translation>
@@ -3021,7 +3041,7 @@
     <message>
         <location filename="../screens/overview/manual.cpp"/>
         <source>Overrides</source>
-        <translation>Процентовка</translation>
+        <translation>Коррекция</translation>
     </message>
     <message>
         <location filename="../screens/overview/overview.hpp"/>
@@ -3426,12 +3446,12 @@
     <message>
         <location filename="../screens/overview/manual.cpp"/>
         <source>Rapid</source>
-        <translation>Ускор. ход</translation>
+        <translation>Быстр. ход</translation>
     </message>
     <message>
         <location filename="../screens/overview/channel_card.cpp"/>
         <source>Rapid %1 %</source>
-        <translation>Ускор. %1 %</translation>
+        <translation>Быстр. %1 %</translation>
     </message>
     <message>
         <location filename="../machine/tools/tool_words.cpp"/>
@@ -4009,6 +4029,11 @@
         <translation>Пуск всех</translation>
     </message>
     <message>
+        <location filename="../machine/live/channel_words.cpp"/>
+        <source>Start blocked:</source>
+        <translation>Пуск заблокирован:</translation>
+    </message>
+    <message>
         <location filename="../screens/overview/overview.cpp"/>
         <source>Start goes back along the path: press again</source>
         <translation>Пуск поведёт по пути назад: ещё раз</translation>
@@ -4304,6 +4329,11 @@
         <translation>Отключить синхронизацию</translation>
     </message>
     <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>The editor holds a text that is not saved</source>
+        <translation>В редакторе несохранённый текст</translation>
+    </message>
+    <message>
         <location filename="../screens/programs/files_page.cpp"/>
         <source>The file is being read ...</source>
         <translation>Файл читается ...</translation>
@@ -4342,6 +4372,11 @@
         <location filename="../screens/programs/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Предыдущая программа ещё записывается.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview/manual.cpp"/>
+        <source>The line of MDI is not entered: choose MDI, or delete the line</source>
+        <translation>Строка РВД не введена: выберите РВД или удалите строку</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4472,16 +4507,6 @@
         <location filename="../screens/overview/hand_page.cpp"/>
         <source>The turret turns: press again</source>
         <translation>Револьвер повернётся: ещё раз</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros of %1 are entered</source>
-        <translation>Нули задания %1 введены</translation>
-    </message>
-    <message>
-        <location filename="../screens/programs/programs.cpp"/>
-        <source>The zeros stand as before</source>
-        <translation>Нули снова прежние</translation>
     </message>
     <message>
         <location filename="../screens/machine/system.cpp"/>
@@ -4811,7 +4836,7 @@
     <message>
         <location filename="../screens/tools/offsets.cpp"/>
         <source>Tool setter</source>
-        <translation>Щуп инструмента</translation>
+        <translation>Датчик инструмента</translation>
     </message>
     <message>
         <location filename="../screens/tools/tools_tables.cpp"/>
@@ -4945,8 +4970,8 @@
     </message>
     <message>
         <location filename="../screens/programs/programs.cpp"/>
-        <source>Undo the zeros</source>
-        <translation>Вернуть нули</translation>
+        <source>Undo zeros, offsets</source>
+        <translation>Вернуть нули, корректоры</translation>
     </message>
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
@@ -5267,6 +5292,16 @@
         <location filename="../machine/programs/setup_sheet.cpp"/>
         <source>Zeros</source>
         <translation>Нули</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets of %1 are entered</source>
+        <translation>Нули и корректоры из %1 введены</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs/programs.cpp"/>
+        <source>Zeros and offsets stand as before</source>
+        <translation>Нули и корректоры как прежде</translation>
     </message>
     <message>
         <location filename="../machine/live/channel_words.cpp"/>

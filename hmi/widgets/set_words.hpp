@@ -1,6 +1,7 @@
 // Words that are set (shaped, broken into lines, shortened) once and painted many times: the same
-// pixels as QPainter::drawText, which shapes them anew each time (tests/unit/hmi/set_words_test.cpp
-// compares both). What changes with each frame are numbers, and those need no shaping (sheet.cpp).
+// pixels as QPainter::drawText, which shapes them anew each time
+// (tests/unit/hmi/widgets/set_words_test.cpp compares both). What changes with each frame are
+// numbers, and those need no shaping (sheet.cpp).
 #pragma once
 #include <QFont>
 #include <QGlyphRun>

@@ -35,7 +35,7 @@ struct Item {
 class Sheet;
 
 // Where somebody enters a text: each can be touched, and Ctrl+F goes from one to the next
-// (tests/unit/hmi/entry_test.cpp walks them all).
+// (tests/unit/hmi/app/entry_test.cpp walks them all).
 struct TextField {
     QRectF box;
     int hit = 0;   // touch it and letters go there

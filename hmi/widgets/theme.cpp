@@ -37,6 +37,27 @@ QString family(Face face) {
 }  // namespace
 
 const Theme& theme() { return *g_theme; }
+
+QColor colourOf(Tone tone) {
+    const Theme& t = theme();
+    switch (tone) {
+        case Tone::Good:
+            return t.good;
+        case Tone::Waiting:
+            return t.wait;
+        case Tone::Warning:
+            return t.warn;
+        case Tone::Bad:
+            return t.bad;
+        case Tone::Note:
+            return t.accent;
+        case Tone::Quiet:
+            return t.dim;
+        case Tone::None:
+            break;
+    }
+    return t.edge;
+}
 void dress(bool dark) { g_theme = dark ? &kDark : &kLight; }
 void setPanelScale(double scale) { g_scale = scale; }
 double panelScale() { return g_scale; }

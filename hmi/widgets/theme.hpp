@@ -5,6 +5,8 @@
 #include <QFont>
 #include <QPainter>
 
+#include "hmi/machine/live/tone.hpp"
+
 namespace polyturn::hmi {
 
 struct Theme {
@@ -17,6 +19,7 @@ struct Theme {
 };
 
 const Theme& theme();
+QColor colourOf(Tone tone);
 void dress(bool dark);
 
 // Sizes are written for 1280 x 800; px() scales them to the panel.
@@ -26,43 +29,6 @@ inline int px(double units) { return static_cast<int>(units * panelScale() + 0.5
 enum class Face : std::uint8_t { Text, Condensed, Program };
 QFont lettering(double units, bool bold = false, Face face = Face::Text);
 
-enum class Sign : std::uint8_t {
-    None,
-    Run,
-    Hold,
-    Wait,
-    Stop,
-    Ended,
-    Alarm,
-    Warning,
-    Note,
-    Reset,
-    Off,
-    Good,
-    Overview,
-    Manual,
-    Programs,
-    Offsets,
-    Tools,
-    Parameters,
-    Graphics,
-    Bell,
-    Left,
-    Right,
-    Up,
-    Down,
-    Lock,
-    Sun,
-    Moon,
-    DisplayLanguage,
-    Key,
-    Spindle,
-    Feed,
-    Help,
-    Diagnosis,
-    Undo,
-    Bin,
-};
 void drawSign(QPainter& painter, const QRectF& box, Sign sign, const QColor& colour);
 
 }  // namespace polyturn::hmi

@@ -192,7 +192,8 @@ AlarmEntry AlarmLog::read(const QJsonObject& event) const {
     out.seconds = event.value("t").toDouble();
     out.when = QDateTime::fromString(event.value("utc").toString(), Qt::ISODate);
     out.resets = event.value("resets").toInt(-1);
-    if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
+    out.file = event.value("file").toString();
+    if (!out.file.isEmpty()) out.place = QFileInfo(out.file).fileName();
     out.line = static_cast<std::uint32_t>(event.value("line").toInt());
     // the kernel's own do not name the file
     if (out.line)

@@ -23,6 +23,7 @@ struct AlarmEntry {
     QDateTime when;
     std::int32_t resets = -1;
     bool standing = false;
+    QString file;            // of the program, whole; empty: nobody has named it
     std::uint32_t line = 0;  // of the program
     // the program has stopped at it; it is stopped no more, whatever the image says
     bool held = false, over = false;

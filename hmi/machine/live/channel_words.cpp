@@ -11,28 +11,27 @@
 namespace polyturn::hmi {
 
 StateWords stateWords(const ChannelStatus& status) {
-    const Theme& t = theme();
     switch (static_cast<ChannelState>(status.state)) {
         case ChannelState::Running:
-            return {word("Runs"), Sign::Run, t.good};
+            return {word("Runs"), Sign::Run, Tone::Good};
         case ChannelState::Held:
-            return {word("Held"), Sign::Hold, t.warn};
+            return {word("Held"), Sign::Hold, Tone::Warning};
         case ChannelState::Waiting:
-            return {word("Waits"), Sign::Wait, t.wait};
+            return {word("Waits"), Sign::Wait, Tone::Waiting};
         case ChannelState::ProgramStop:
-            return {word("Stopped"), Sign::Stop, t.warn};
+            return {word("Stopped"), Sign::Stop, Tone::Warning};
         case ChannelState::Ended:
-            return {word("Ended"), Sign::Ended, t.accent};
+            return {word("Ended"), Sign::Ended, Tone::Note};
         case ChannelState::Interrupted:
-            return {word("Interrupted"), Sign::Alarm, t.bad};
+            return {word("Interrupted"), Sign::Alarm, Tone::Bad};
         case ChannelState::Dead:
-            return {word("Process dead"), Sign::Alarm, t.bad};
+            return {word("Process dead"), Sign::Alarm, Tone::Bad};
         case ChannelState::Reset:
-            return {word("Reset"), Sign::Reset, t.dim};
+            return {word("Reset"), Sign::Reset, Tone::Quiet};
         case ChannelState::Absent:
             break;
     }
-    return {word("Absent"), Sign::Off, t.dim};
+    return {word("Absent"), Sign::Off, Tone::Quiet};
 }
 
 QString modeWord(std::uint32_t mode) {
@@ -119,8 +118,16 @@ StartPlan startPlan(const Live& live, unsigned group) {
 }
 
 QString channelList(const std::vector<unsigned>& channels) {
+    constexpr std::size_t kRange = 4;  // fewer in a row are named one by one
     QStringList out;
-    for (const unsigned channel : channels) out << QString("L%1").arg(channel);
+    for (std::size_t first = 0, behind = 0; first < channels.size(); first = behind) {
+        behind = first + 1;
+        while (behind < channels.size() && channels[behind] == channels[behind - 1] + 1) ++behind;
+        if (behind - first >= kRange)
+            out << QString::fromUtf8("L%1–L%2").arg(channels[first]).arg(channels[behind - 1]);
+        else
+            for (std::size_t i = first; i < behind; ++i) out << QString("L%1").arg(channels[i]);
+    }
     return out.join(' ');
 }
 
@@ -161,7 +168,7 @@ Plight plight(const Live& live, const AlarmLog& alarms, unsigned channel) {
         return {Plight::Kind::Waits, waitWords(live, channel)};
     if (state != ChannelState::Running && status.start_missing)
         return {Plight::Kind::Needs,
-                word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+                word("Start blocked:") + " " + startNeeds(live, channel).join("; ")};
     if (state == ChannelState::Held && status.mdi_waiting &&
         static_cast<ChannelMode>(status.mode) != ChannelMode::Mdi)
         return {Plight::Kind::Stands, word("A block entered by hand waits: start runs it")};

@@ -1,15 +1,10 @@
 // A channel's state and the reason of a stop, in words and signs of the display language.
 #pragma once
 #include "hmi/machine/live/alarm_log.hpp"
-#include "hmi/widgets/theme.hpp"
+#include "hmi/machine/live/tone.hpp"
 
 namespace polyturn::hmi {
 
-struct StateWords {
-    QString text;
-    Sign sign;
-    QColor colour;
-};
 StateWords stateWords(const ChannelStatus& status);
 QString modeWord(std::uint32_t mode);
 

@@ -95,19 +95,18 @@ std::vector<StopSum> StopLog::sums() const {
     return out;
 }
 
-StopWords stopWords(const QString& cause) {
-    const Theme& t = theme();
-    if (cause == "alarm") return {word("Alarm"), Sign::Alarm, t.bad};
-    if (cause == "emergency") return {word("Emergency stop"), Sign::Alarm, t.bad};
-    if (cause == "dead") return {word("Process dead"), Sign::Alarm, t.bad};
-    if (cause == "off") return {word("Machine off"), Sign::Off, t.dim};
-    if (cause == "hold") return {word("Feed hold"), Sign::Hold, t.warn};
-    if (cause == "wait") return {word("Waits for a channel"), Sign::Wait, t.wait};
-    if (cause == "program") return {word("Programmed stop"), Sign::Stop, t.warn};
-    if (cause == "single") return {word("Single block"), Sign::Stop, t.accent};
-    if (cause == "operator") return {word("Work by hand"), Sign::Manual, t.accent};
-    if (cause == "reset") return {word("Reset"), Sign::Reset, t.dim};
-    return {word("No start"), Sign::Ended, t.accent};
+StateWords stopWords(const QString& cause) {
+    if (cause == "alarm") return {word("Alarm"), Sign::Alarm, Tone::Bad};
+    if (cause == "emergency") return {word("Emergency stop"), Sign::Alarm, Tone::Bad};
+    if (cause == "dead") return {word("Process dead"), Sign::Alarm, Tone::Bad};
+    if (cause == "off") return {word("Machine off"), Sign::Off, Tone::Quiet};
+    if (cause == "hold") return {word("Feed hold"), Sign::Hold, Tone::Warning};
+    if (cause == "wait") return {word("Waits for a channel"), Sign::Wait, Tone::Waiting};
+    if (cause == "program") return {word("Programmed stop"), Sign::Stop, Tone::Warning};
+    if (cause == "single") return {word("Single block"), Sign::Stop, Tone::Note};
+    if (cause == "operator") return {word("Work by hand"), Sign::Manual, Tone::Note};
+    if (cause == "reset") return {word("Reset"), Sign::Reset, Tone::Quiet};
+    return {word("No start"), Sign::Ended, Tone::Note};
 }
 
 QString stopDetail(const StopEntry& stop) {

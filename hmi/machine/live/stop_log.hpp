@@ -7,7 +7,7 @@
 
 #include "hmi/machine/live/live.hpp"
 #include "hmi/machine/live/requests.hpp"
-#include "hmi/widgets/theme.hpp"
+#include "hmi/machine/live/tone.hpp"
 
 namespace polyturn::hmi {
 
@@ -56,12 +56,7 @@ private:
     bool asking_ = false;
 };
 
-struct StopWords {
-    QString text;
-    Sign sign;
-    QColor colour;
-};
-StopWords stopWords(const QString& cause);
+StateWords stopWords(const QString& cause);
 QString stopDetail(const StopEntry& stop);  // the alarm in the chosen language, whom it waits for
 
 }  // namespace polyturn::hmi

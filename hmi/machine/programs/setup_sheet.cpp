@@ -13,6 +13,7 @@
 
 #include "hmi/text/dates.hpp"
 #include "hmi/text/search.hpp"
+#include "ipc/machine/store/work_zeros.hpp"
 #include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::hmi {
@@ -120,6 +121,42 @@ std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet) {
 }
 std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet) {
     return job_offsets(sheet.setup, live.config(), storesOf(live));
+}
+
+QString JobEntry::request(double value) const {
+    return words + "=" + QString::number(value, 'f', 9);
+}
+
+bool JobEntry::same() const { return std::abs(wanted - entered) <= 5e-7; }
+
+std::vector<JobEntry> jobEntries(const Live& live, const JobSheet& sheet) {
+    std::vector<JobEntry> out;
+    for (const JobZero& one : compareZeros(live, sheet)) {
+        if (std::isnan(one.entered)) continue;
+        const auto row = work_zero_row(one.system);
+        const QString system = QString::fromStdString(one.system),
+                      axis = QString::fromStdString(one.axis);
+        out.push_back({QString("L%1 %2 %3").arg(one.channel).arg(system, axis),
+                       QString("zero L%1 %2 %3")
+                           .arg(one.channel)
+                           .arg(row ? QString::fromStdString(work_zero_name(*row)) : system, axis),
+                       one.wanted, one.entered});
+    }
+    for (const JobOffset& offset : compareOffsets(live, sheet))
+        for (const JobOffset::Value& one : offset.values) {
+            if (std::isnan(one.entered)) continue;
+            const QString field = fromView(one.name);
+            out.push_back({QString("L%1 %2 %3%4")
+                               .arg(offset.channel)
+                               .arg(offset.number)
+                               .arg(one.wear ? word("Wear") + " " : QString(), field),
+                           QString("offset L%1 %2 %3 %4")
+                               .arg(offset.channel)
+                               .arg(offset.number)
+                               .arg(QString(one.wear ? "wear" : "geometry"), field),
+                           one.wanted, one.entered});
+        }
+    return out;
 }
 
 namespace {

@@ -42,6 +42,17 @@ enum class OffsetPart : std::uint8_t { Geometry, Wear };
 // «X 38.12  Z 27.05»; not all: only what is otherwise
 QString offsetText(const Live& live, const JobOffset& offset, OffsetSide side, OffsetPart part,
                    bool all);
+// One value that the job brings, and that one request enters.
+struct JobEntry {
+    QString name;   // «L1 G54 Z»
+    QString words;  // of the request, as `polyturn set` has them, without the value
+    double wanted = 0, entered = 0;
+    QString request(double value) const;
+    bool same() const;
+};
+// Its zeros and offsets, those that this machine has.
+std::vector<JobEntry> jobEntries(const Live& live, const JobSheet& sheet);
+
 // An edge of a tool that the setup file names ($TC_DPx), beside the one that the channel's tools
 // have.
 struct JobEdge {

@@ -20,15 +20,14 @@ bool nearlyOver(const ToolRow& tool) {
 }  // namespace
 
 StateWords toolWords(const ToolRow& tool) {
-    const Theme& t = theme();
-    if (tool.state & kToolBroken) return {word("Broken"), Sign::Alarm, t.bad};
-    if (tool.state & kToolLocked) return {word("Locked"), Sign::Lock, t.bad};
-    if (tool.state & kToolWorn) return {word("Worn"), Sign::Stop, t.bad};
-    if (!(tool.state & kToolEnabled)) return {word("Not enabled"), Sign::Off, t.dim};
+    if (tool.state & kToolBroken) return {word("Broken"), Sign::Alarm, Tone::Bad};
+    if (tool.state & kToolLocked) return {word("Locked"), Sign::Lock, Tone::Bad};
+    if (tool.state & kToolWorn) return {word("Worn"), Sign::Stop, Tone::Bad};
+    if (!(tool.state & kToolEnabled)) return {word("Not enabled"), Sign::Off, Tone::Quiet};
     if (tool.state & kToolWarned || nearlyOver(tool))
-        return {word("Life nearly over"), Sign::Warning, t.warn};
-    if (tool.state & kToolActive) return {word("Works"), Sign::Run, t.good};
-    return {word("Ready"), Sign::Good, t.good};
+        return {word("Life nearly over"), Sign::Warning, Tone::Warning};
+    if (tool.state & kToolActive) return {word("Works"), Sign::Run, Tone::Good};
+    return {word("Ready"), Sign::Good, Tone::Good};
 }
 
 QString toolName(const ToolRow& tool, std::int32_t number) {
@@ -78,11 +77,10 @@ QString lifeText(const ToolRow& tool) {
              lifeUnit(tool.life_kind));
 }
 
-QColor lifeColour(const ToolRow& tool) {
-    const Theme& t = theme();
+Tone lifeTone(const ToolRow& tool) {
     const double left = lifeLeft(tool);
-    if (left <= 0) return t.bad;
-    return tool.state & kToolWarned || nearlyOver(tool) ? t.warn : t.good;
+    if (left <= 0) return Tone::Bad;
+    return tool.state & kToolWarned || nearlyOver(tool) ? Tone::Warning : Tone::Good;
 }
 
 QString placeText(const Live& live, std::int32_t magazine, std::int32_t pot) {

@@ -1,4 +1,4 @@
-// A tool as screens show it: its state as word, sign and colour, how much of its life is left.
+// A tool as screens show it: its state as word, sign and tone, how much of its life is left.
 #pragma once
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/text/display_languages.hpp"
@@ -11,7 +11,7 @@ QString toolName(const ToolRow& tool, std::int32_t number);  // its name, or «t
 // 0 (used up) to 1; below 0: its life is not watched.
 double lifeLeft(const ToolRow& tool);
 QString lifeText(const ToolRow& tool);  // «37.5 / 60 min»; empty: not watched
-QColor lifeColour(const ToolRow& tool);
+Tone lifeTone(const ToolRow& tool);
 QString lifeUnit(unsigned kind);
 QString placeText(const Live& live, std::int32_t magazine, std::int32_t pot);  // «M1 / 3», «S2»
 QString kindText(std::int32_t kind);  // «roughing» of 500

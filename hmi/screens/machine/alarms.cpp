@@ -1,5 +1,8 @@
 #include "hmi/screens/machine/alarms.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/screens/overview/operation_keys.hpp"
 #include "hmi/text/dates.hpp"
@@ -7,7 +10,8 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kSystemScreen = 9;  // its place in screen_list.cpp
+constexpr int kSystemScreen = 9;       // its place in screen_list.cpp
+constexpr std::size_t kOpenPlace = 5;  // of the key that opens the program at the fault
 
 Sign signOf(Severity severity) {
     return severity == Severity::Error     ? Sign::Alarm
@@ -37,7 +41,10 @@ Alarms::Alarms(Context& context)
                word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     };
     detail_->onCompose = [this](Writer& w) { composeDetail(w); };
-    table_->onChosen = [this] { detail_->refresh(); };
+    table_->onChosen = [this] {
+        detail_->refresh();
+        if (context_.keysChanged) context_.keysChanged();
+    };
     showPage(Page::Standing);
 }
 
@@ -85,10 +92,16 @@ void Alarms::fillAlarms() {
     table_->rowUnits = 38;
     table_->nothing =
         all ? word("No alarm and no message is known yet.") : word("No active alarms.");
+    const auto read = chosen() ? std::optional(*chosen()) : std::nullopt;
     rows_.clear();
     for (auto entry = context_.alarms.all().rbegin(); entry != context_.alarms.all().rend();
          ++entry)
         if (all || entry->standing) rows_.push_back(*entry);
+    // What has stopped the machine, before what has come of it.
+    if (!all)
+        std::stable_partition(rows_.begin(), rows_.end(), [](const AlarmEntry& one) {
+            return one.severity == Severity::Error;
+        });
     if (all)
         rows_.insert(rows_.end(), context_.alarms.earlier().begin(),
                      context_.alarms.earlier().end());
@@ -111,6 +124,19 @@ void Alarms::fillAlarms() {
         }
     };
     version_ = context_.alarms.version();
+    // Who reads one goes on reading it when another comes above it.
+    if (!read) return;
+    const auto same = std::find_if(rows_.begin(), rows_.end(), [&](const AlarmEntry& one) {
+        return one.channel == read->channel && one.number == read->number &&
+               one.seconds == read->seconds;
+    });
+    if (same != rows_.end()) table_->choose(static_cast<int>(same - rows_.begin()));
+}
+
+const AlarmEntry* Alarms::chosen() const {
+    const int row = table_->row();
+    return row >= 0 && row < static_cast<int>(rows_.size()) ? &rows_[static_cast<std::size_t>(row)]
+                                                            : nullptr;
 }
 
 void Alarms::composeDetail(Writer& w) {
@@ -118,7 +144,8 @@ void Alarms::composeDetail(Writer& w) {
     const double wide = detail_->width(), high = detail_->height();
     w.fill(QRectF(0, 0, wide, high), t.window);
     w.fill(QRectF(0, px(6), wide, high - px(6)), t.card, px(8));
-    if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size())) {
+    const AlarmEntry* found = chosen();
+    if (!found) {
         Item& item = w.text(
             QRectF(px(20), px(20), wide - px(40), px(60)),
             page_ == Page::Standing
@@ -129,7 +156,7 @@ void Alarms::composeDetail(Writer& w) {
         item.wraps = true;
         return;
     }
-    const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
+    const AlarmEntry& entry = *found;
     w.fill(QRectF(0, px(6), px(5), high - px(6)), colourOf(entry.severity), px(2));
     w.sign(QRectF(px(16), px(12), px(26), px(26)), signOf(entry.severity),
            colourOf(entry.severity));
@@ -186,6 +213,18 @@ std::vector<SoftKey> Alarms::keys() {
         keys.push_back(
             {word("To the backups"), [this] { context_.show(kSystemScreen); }, Sign::Right});
     keys.resize(std::max(keys.size(), kResetAllPlace + 1));
+    if (page_ != Page::Stops) {
+        const AlarmEntry* entry = chosen();
+        const Context::ProgramPlace place =
+            entry ? Context::ProgramPlace{entry->file, static_cast<int>(entry->line)}
+                  : Context::ProgramPlace{};
+        keys[kOpenPlace] = {word("Open the program"),
+                            [this, place] {
+                                context_.placeToEdit = place;
+                                context_.show(kProgramsScreen);
+                            },
+                            Sign::Programs, !place.file.isEmpty()};
+    }
     keys[kResetAllPlace] = resetGroupKey(context_, groupOf(context_.live, context_.channel));
     return keys;
 }
@@ -193,9 +232,8 @@ std::vector<SoftKey> Alarms::keys() {
 // Of the chosen alarm: what it says and what to do, then how alarms are read.
 HelpTopic Alarms::help() const {
     if (page_ == Page::Stops) return {"operator.md", "Log of stops", {}};
-    if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size()))
-        return {"operator.md", "Reading an alarm", {}};
-    const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
+    if (!chosen()) return {"operator.md", "Reading an alarm", {}};
+    const AlarmEntry& entry = *chosen();
     return {"operator.md", "Reading an alarm",
             QString("# %1\n\n**%2:** %3\n\n**%4:** %5\n\n**%6:** %7")
                 .arg(entry.number.isEmpty() ? word("Message") : entry.number, word("Cause"),

@@ -36,6 +36,7 @@ protected:
 private:
     void layOut();
     void fillAlarms();
+    const AlarmEntry* chosen() const;  // nullptr: there is none
     void composeDetail(Writer& w);
 
     FreeSheet* head_;

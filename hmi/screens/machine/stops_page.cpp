@@ -15,7 +15,7 @@ constexpr int kPeriods[] = {1, 8, 24, 168};  // hours
 
 // Of a cause, where there is no room for its sign: what is broken is full, what somebody has
 // stopped half, a wait hollow, all else hatched.
-TimeShape shapeOfCause(const StopWords& why) {
+TimeShape shapeOfCause(const StateWords& why) {
     switch (why.sign) {
         case Sign::Alarm:
             return TimeShape::Full;
@@ -58,7 +58,7 @@ StopsPage::StopsPage(Context& context, QWidget* parent)
     table_->cell = [this](int row, int column) -> Table::Cell {
         const StopEntry& stop = book_.all()[static_cast<std::size_t>(row)];
         const Theme& t = theme();
-        const StopWords why = stopWords(stop.cause);
+        const StateWords why = stopWords(stop.cause);
         switch (column) {
             case 0:
                 return {shortMomentText(stop.begin, "HH:mm:ss"), t.dim};
@@ -70,7 +70,7 @@ StopsPage::StopsPage(Context& context, QWidget* parent)
             case 2:
                 return {QString("L%1").arg(stop.channel), t.text, Sign::None, true};
             case 3:
-                return {why.text, why.colour, why.sign};
+                return {why.text, colourOf(why.tone), why.sign};
             default: {
                 const QString place = placeOfStop(stop), detail = stopDetail(stop);
                 return {detail.isEmpty()  ? place
@@ -130,8 +130,8 @@ void StopsPage::composePicture(Writer& w) {
     double y = px(44);
     for (const StopSum& one : sums) {
         if (y + px(42) > high - foot) break;
-        const StopWords why = stopWords(one.cause);
-        w.sign(QRectF(px(14), y + px(2), px(18), px(18)), why.sign, why.colour);
+        const StateWords why = stopWords(one.cause);
+        w.sign(QRectF(px(14), y + px(2), px(18), px(18)), why.sign, colourOf(why.tone));
         w.text(QRectF(px(40), y, wide * 0.52, px(22)), why.text, lettering(14.5), t.text);
         w.text(QRectF(wide * 0.6, y, wide * 0.4 - px(14), px(22)),
                timesText(one.seconds, one.count), lettering(14.5, true), t.text, kRight);
@@ -143,16 +143,16 @@ void StopsPage::composePicture(Writer& w) {
                 QRectF(room.left(), room.top(),
                        std::max<double>(px(4), room.width() * one.seconds / sums.front().seconds),
                        room.height()),
-                why.colour);
+                colourOf(why.tone));
         y += px(43);
     }
     if (const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
         row < book_.all().size()) {
         const StopEntry& stop = book_.all()[row];
-        const StopWords why = stopWords(stop.cause);
+        const StateWords why = stopWords(stop.cause);
         const double top = high - foot;
         w.line(QPointF(px(14), top), QPointF(wide - px(14), top), t.edge, 1);
-        w.sign(QRectF(px(14), top + px(9), px(18), px(18)), why.sign, why.colour);
+        w.sign(QRectF(px(14), top + px(9), px(18), px(18)), why.sign, colourOf(why.tone));
         w.text(QRectF(px(40), top + px(7), px(60), px(22)), QString("L%1").arg(stop.channel),
                lettering(14.5, true), t.text);
         w.data(QRectF(px(100), top + px(7), wide - px(114), px(22)), placeOfStop(stop),
@@ -186,9 +186,9 @@ void StopsPage::composePicture(Writer& w) {
                          to = std::max(
                              from + 1.5,
                              x(stop.begin.addMSecs(static_cast<qint64>(stop.seconds * 1e3))));
-            const StopWords why = stopWords(stop.cause);
+            const StateWords why = stopWords(stop.cause);
             drawTimeShape(w, shapeOfCause(why), QRectF(from, y + px(2), to - from, bar),
-                          why.colour);
+                          colourOf(why.tone));
             if (++drawn == 300) break;
         }
     }

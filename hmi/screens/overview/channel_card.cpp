@@ -88,14 +88,14 @@ private:
         smallFoot(QRectF(left_, bottom, wide_, foot));
     }
 
-    static double kSmallHead() { return px(11); }
+    static double kSmallHead() { return px(14); }
     static double kLeastRow() { return px(12); }
     static double kSmallBlock() { return px(20); }
 
     void smallHeader() {
         const double h = px(21);
         const StateWords state = stateWords(status_);
-        w_.sign(QRectF(left_, y_ + px(2), px(17), px(17)), state.sign, state.colour);
+        w_.sign(QRectF(left_, y_ + px(2), px(17), px(17)), state.sign, colourOf(state.tone));
         w_.text(QRectF(left_ + px(23), y_, px(34), h), QString("L%1").arg(channel_),
                 lettering(16, true), t_.text);
         const double from =
@@ -103,7 +103,8 @@ private:
         const QFont bold = lettering(14, true, Face::Condensed);
         const double most = left_ + wide_ - from,
                      wide = std::min(wordsWidth(state.text, bold) + px(4), most * 0.7);
-        w_.data(QRectF(left_ + wide_ - wide, y_, wide, h), state.text, bold, state.colour, kRight);
+        w_.data(QRectF(left_ + wide_ - wide, y_, wide, h), state.text, bold, colourOf(state.tone),
+                kRight);
         w_.data(QRectF(from, y_, most - wide - px(6), h), modeWord(status_.mode),
                 lettering(12.5, false, Face::Condensed), t_.dim);
         y_ += h + px(1);
@@ -334,7 +335,8 @@ private:
     void header() {
         const double h = px(dense_ ? 26 : 34);
         const StateWords state = stateWords(status_);
-        w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
+        w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign,
+                colourOf(state.tone));
         // What it does is never shortened; then the mode, the group, and of the name what there is
         // room for.
         const QString name = wide_ < px(320) || groupOf(live_, channel_)
@@ -366,7 +368,7 @@ private:
         w_.data(QRectF(from, y_, titleWide, h), name, bold, t_.text);
         w_.text(QRectF(left_ + wide_ - modeWide, y_, modeWide, h), mode, modeFont, t_.dim, kRight);
         w_.text(QRectF(left_ + wide_ - modeWide - between - stateWide, y_, stateWide, h),
-                state.text, stateFont, state.colour, kRight);
+                state.text, stateFont, colourOf(state.tone), kRight);
         groupMark(QRectF(from + titleWide + px(4), y_ + px(4), 0, h - px(8)));
         below(h);
     }

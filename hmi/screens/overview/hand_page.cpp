@@ -59,7 +59,7 @@ HandPage::HandPage(Context& context, QWidget* parent)
         if (column == 1)
             return {tool ? toolName(*tool, one.tool) : QString::fromUtf8("–"),
                     tool ? t.text : t.dim};
-        return tool ? Table::Cell{{}, toolWords(*tool).colour, toolWords(*tool).sign}
+        return tool ? Table::Cell{{}, colourOf(toolWords(*tool).tone), toolWords(*tool).sign}
                     : Table::Cell{};
     };
     tools_->onChosen = [this] {

@@ -254,11 +254,12 @@ void Manual::composeAxes(Writer& w) {
         if (step < px(48)) {
             w.text(QRectF(box.left(), px(3), box.width(), px(19)), QString::number(channel),
                    lettering(14, here), t.text, Qt::AlignCenter);
-            w.sign(QRectF(box.center().x() - px(7), px(24), px(14), px(14)), its.sign, its.colour);
+            w.sign(QRectF(box.center().x() - px(7), px(24), px(14), px(14)), its.sign,
+                   colourOf(its.tone));
         } else {
             w.sign(QRectF(box.left() + px(narrow ? 5 : 10), narrow ? px(13) : px(12),
                           px(narrow ? 16 : 18), px(narrow ? 16 : 18)),
-                   its.sign, its.colour);
+                   its.sign, colourOf(its.tone));
             w.text(box.adjusted(px(narrow ? 24 : 34), 0, -px(2), 0), QString("L%1").arg(channel),
                    lettering(narrow ? 15 : 18, here), t.text);
         }
@@ -269,7 +270,7 @@ void Manual::composeAxes(Writer& w) {
     const StateWords state = stateWords(status);
     w.text(QRectF(x + px(8), 0, wide - x - px(18), px(42)),
            modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true),
-           state.colour, kRight);
+           colourOf(state.tone), kRight);
     // axes, each with its keys
     const bool refused = !whyNotMoved().isEmpty();
     const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
@@ -535,8 +536,13 @@ double Manual::composeMdi(Writer& w, double top, double most) {
     }
     w.field(QRectF(px(12), y + px(2), wide - px(24), px(46)), mdi_, QString(), typing_, kMdiHit,
             Face::Program);
+    const ChannelStatus& status = context_.live.channel(context_.channel);
+    const bool takes = static_cast<ChannelMode>(status.mode) == ChannelMode::Mdi ||
+                       static_cast<ChannelState>(status.state) == ChannelState::Held;
     w.text(QRectF(px(14), y + px(54), wide - px(28), px(22)),
-           word("Enter takes the block, Start runs it"), lettering(13), t.dim);
+           takes ? word("Enter takes the block, Start runs it")
+                 : word("MDI mode takes blocks, and a program in hold"),
+           lettering(13), takes || !typing_ ? t.dim : t.warn);
     return end;
 }
 
@@ -583,17 +589,35 @@ std::vector<SoftKey> Manual::keys() {
                                                    : word("Enter takes the block first"),
                           Told::Refused);
         };
+    if (mode_now != ChannelMode::Mdi && rests && typing_ && !mdi_.trimmed().isEmpty()) {
+        // it would run the program instead of what is read in the field
+        start.confirm.clear();
+        start.act = [this] {
+            context_.tell(word("The line of MDI is not entered: choose MDI, or delete the line"),
+                          Told::Refused);
+        };
+    }
     std::vector<SoftKey> keys{
         std::move(start),
         holdKey(context_),
         resetKey(context_),
         {word("Automatic"), [this] { mode("auto"); }, Sign::None, there,
          mode_now == ChannelMode::Auto},
-        {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
+        {word("Jog"),
+         [this, held, name] {
+             // The mode stays until the program ends; a reset for it would cost the part.
+             if (held)
+                 return context_.tell(word("A program is held: «Jog in hold %1» lets its axes be "
+                                           "moved")
+                                          .arg(name),
+                                      Told::Refused);
+             mode("jog");
+         },
+         Sign::Manual, there, mode_now == ChannelMode::Jog},
         {word("MDI"),
-         [this] {
+         [this, held] {
              letGo();
-             mode("mdi");
+             if (!held) mode("mdi");  // in a hold the field takes blocks in any mode
              typing_ = true;
              layOut();
              refresh();

@@ -289,8 +289,15 @@ void RestartPage::addKeys(std::vector<SoftKey>& keys) {
     }
     keys.push_back({word("All from their last tool call"),
                     [this] {
-                        for (const unsigned channel : context_.live.channels())
+                        bool found = false;
+                        for (const unsigned channel : context_.live.channels()) {
                             at(channel).wanted = toolBlock(at(channel));
+                            found |= at(channel).wanted >= 0;
+                        }
+                        if (!found)
+                            context_.tell(word("No tool has been called where the programs "
+                                               "stopped: touch a block, or type its number"),
+                                          Told::Refused);
                         refresh();
                     },
                     Sign::Tools, !context_.live.channels().empty()});

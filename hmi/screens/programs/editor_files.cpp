@@ -33,6 +33,7 @@ bool EditorPage::open(const QString& file, const QString& language, qint64 at, i
     filling_.clear();
     language_ = language;
     position_ = position;
+    lineAt_ = 0;
     typed_ = false;
     faults_.clear();
     failure_.clear();
@@ -49,6 +50,17 @@ bool EditorPage::open(const QString& file, const QString& language, qint64 at, i
     line_->refresh();
     if (context_.keysChanged) context_.keysChanged();
     return true;
+}
+
+void EditorPage::goToLine(int line) {
+    if (opening()) {
+        lineAt_ = line;
+        return;
+    }
+    QTextCursor cursor(edit_->document()->findBlockByNumber(
+        std::clamp(line - 1, 0, edit_->document()->blockCount() - 1)));
+    edit_->setTextCursor(cursor);
+    edit_->centerCursor();
 }
 
 bool EditorPage::opened(const FileText& read) {
@@ -107,6 +119,7 @@ void EditorPage::filled() {
     edit_->document()->setModified(typed_);
     edit_->setReadOnly(false);
     file_ = wanted_;
+    if (const int line = std::exchange(lineAt_, 0)) goToLine(line);
     refresh();
     if (!over_) edit_->setFocus();
     check();

@@ -134,10 +134,11 @@ EditorPage::EditorPage(Context& context, QWidget* parent)
         w.sign(QRectF(px(10), px(11), px(22), px(22)), sign, colour);
         w.data(QRectF(px(42), px(4), place.left() - px(52), line_->height() - px(4)),
                !failure_.isEmpty() ? failure_
-               : shown             ? QString("%1:%2  %3  %4")
-                             .arg(shown->line)
-                             .arg(shown->column)
-                             .arg(shown->number, shown->text)
+               : shown             ? (shown->line > 0
+                                          ? QString("%1:%2  ").arg(shown->line).arg(shown->column)
+                                          : QString()) +  // of another program: its text names the place
+                             shown->number +
+                             "  " + shown->text
                : checking() ? word("The program is being read")
                             : word("No faults found"),
                lettering(15), t.text);

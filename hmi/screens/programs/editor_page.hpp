@@ -34,6 +34,7 @@ public:
     bool open(const QString& file, const QString& language);
     // that part, with the cursor there
     bool open(const QString& file, const QString& language, qint64 at, int position);
+    void goToLine(int line);  // when it has been read, where that is still being done
     bool opening() const { return reading_.busy() || !filling_.isEmpty(); }
     bool saving() const { return writing_.busy(); }
     void stop();                        // the reading or writing
@@ -126,6 +127,7 @@ private:
     QString filling_;
     qsizetype filled_ = 0;  // so much of it is there
     int position_ = 0;      // of the cursor, then
+    int lineAt_ = 0;        // or its line; 0: the position
     bool typed_ = false;    // it is no file's: not saved yet
     // of a program that is too long to be edited at once
     static constexpr qint64 kPartBytes = 2'000'000;

@@ -24,7 +24,8 @@ QString mounts() {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-constexpr int kNobody = 4;  // above every level
+constexpr int kNobody = 4;          // above every level
+constexpr qint64 kWatchMs = 2'000;  // the folder that is shown is looked at again
 
 // F3202 NE8 and NE9 (fanuc_lathe 8): programs O8000 to O8999, O9000 to O9999 are neither shown nor
 // changed, whoever works here.
@@ -147,28 +148,67 @@ void FilesPage::readFolder(const QString& folder, const QString& choose) {
     take();
 }
 
-void FilesPage::take() {
-    if (auto list = reader_.take()) {
-        entries_ = std::move(list->entries);
-        readable_ = list->readable;
-        for (FileEntry& one : entries_)
-            if (!one.folder &&
-                keptByParameter(context_.live.table(), context_.live.channels(), one.name))
-                one.level = kNobody;
-        int row = 0;
-        bool found = false;
-        for (std::size_t i = 0; i < entries_.size(); ++i)
-            if (entries_[i].name == choose_) {
-                row = static_cast<int>(i);
-                found = true;
-            }
-        if (!found && choose_.isEmpty())  // the first job is what a folder is opened for
-            for (std::size_t i = entries_.size(); i-- > 0;)
-                if (entries_[i].job) row = static_cast<int>(i);
-        preview_ = {};
-        files_->choose(row);
-        look();
+namespace {
+
+bool sameOnDisk(const FileEntry& a, const FileEntry& b) {
+    return a.name == b.name && a.folder == b.folder && a.readOnly == b.readOnly &&
+           a.size == b.size && a.changed == b.changed;
+}
+
+}  // namespace
+
+void FilesPage::watch() {
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (auto list = watcher_.take();
+        list && !placesShown_ && !reader_.busy() && list->folder == context_.folder &&
+        !(list->readable == readable_ &&
+          std::equal(entries_.begin(), entries_.end(), list->entries.begin(), list->entries.end(),
+                     sameOnDisk))) {
+        choose_ = chosen() ? chosen()->name : QString();
+        // With another content the text beside the list is an old one; what a job shows is of its
+        // other files too.
+        const FileEntry* before = chosen();
+        const bool kept =
+            before && !before->job &&
+            std::any_of(list->entries.begin(), list->entries.end(),
+                        [&](const FileEntry& one) { return sameOnDisk(one, *before); });
+        fill(std::move(*list), kept);
     }
+    if (!isVisible()) {
+        watchAt_ = 0;
+        return;
+    }
+    if (placesShown_ || reader_.busy() || watcher_.busy() || now < watchAt_) return;
+    watchAt_ = now + kWatchMs;
+    watcher_.start(
+        [folder = context_.folder](const std::atomic<bool>&) { return listFolder(folder); }, 0);
+}
+
+void FilesPage::fill(FolderList list, bool previewStays) {
+    entries_ = std::move(list.entries);
+    readable_ = list.readable;
+    for (FileEntry& one : entries_)
+        if (!one.folder &&
+            keptByParameter(context_.live.table(), context_.live.channels(), one.name))
+            one.level = kNobody;
+    int row = 0;
+    bool found = false;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (entries_[i].name == choose_) {
+            row = static_cast<int>(i);
+            found = true;
+        }
+    if (!found && choose_.isEmpty())  // the first job is what a folder is opened for
+        for (std::size_t i = entries_.size(); i-- > 0;)
+            if (entries_[i].job) row = static_cast<int>(i);
+    if (!previewStays) preview_ = {};
+    files_->choose(row);
+    look();
+}
+
+void FilesPage::take() {
+    watch();
+    if (auto list = reader_.take()) fill(std::move(*list), false);
     if (auto preview = looker_.take(); preview && preview->path == chosenPath()) {
         preview_ = std::move(*preview);
         if (context_.keysChanged) context_.keysChanged();

@@ -42,6 +42,7 @@ public:
     bool menu() const { return menu_; }
     void showMenu(bool on);
     bool working() const { return worker_.busy(); }
+    bool reading() const { return reader_.busy(); }
     const FileOutcome& outcome() const { return outcome_; }
     bool naming() const { return naming_ != Naming::None; }
     std::function<void(const QString& left, const QString& right)> onCompare;
@@ -65,7 +66,9 @@ private:
     void nameColumns();
     void layOut();
     void take();  // what workers have brought
-    void look();  // at the chosen file
+    void fill(FolderList list, bool previewStays);
+    void watch();  // the folder may change behind the screens: a stick, a saving, another computer
+    void look();   // at the chosen file
     void composePreview(Writer& w);
     void composeJob(Writer& w, double y);
     // of the setup sheet: how high it is, and what writes it there
@@ -97,7 +100,8 @@ private:
     Naming naming_ = Naming::None;
     Preview preview_;
     std::size_t sheetPage_ = 0, sheetPages_ = 1;
-    Aside<FolderList> reader_;
+    Aside<FolderList> reader_, watcher_;
+    qint64 watchAt_ = 0;
     Aside<Preview> looker_;
     Aside<FileOutcome> worker_;
     std::shared_ptr<FileProgress> progress_;

@@ -16,7 +16,6 @@
 #include "hmi/screens/programs/contour_page.hpp"
 #include "hmi/screens/programs/cycle_form_page.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/machine_path.hpp"
 
@@ -174,104 +173,83 @@ void Programs::takeSelected() {
     if (!differs.isEmpty())
         context_.tell(
             word("%1 is selected").arg(QFileInfo(sheet->path).fileName()) + ".  " + differs,
-            Told::Note);
+            Told::Warning);
 }
 
-// A job's zeros are no measured ones: they are entered when somebody asks for it twice, each by a
+// What a job brings is not measured: it is entered when somebody asks for it twice, each value by a
 // request of its own, with the old value for undo.
-std::optional<SoftKey> Programs::zerosKey() {
+std::optional<SoftKey> Programs::jobEntriesKey() {
     const JobSheet* sheet = files_->sheet();
     if (!sheet || !context_.live.connected()) return std::nullopt;
     const auto& all = context_.live.channels();
     const bool rests = std::none_of(
         all.begin(), all.end(), [&](unsigned one) { return works(context_.live.channel(one)); });
-    std::vector<JobZero> other;
-    QStringList names, values;
-    for (const JobZero& one : compareZeros(context_.live, *sheet)) {
-        if (std::isnan(one.entered) || one.same()) continue;
+    std::vector<JobEntry> other;
+    QStringList values;
+    for (const JobEntry& one : jobEntries(context_.live, *sheet)) {
+        if (one.same()) continue;
         other.push_back(one);
-        names << QString("L%1 %2 %3")
-                     .arg(one.channel)
-                     .arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
         values << QString("%1=%2 %3")
-                      .arg(names.back())
+                      .arg(one.name)
                       .arg(one.wanted, 0, 'g', 12)
                       .arg(one.entered, 0, 'g', 12);
     }
     // the sheet beside it names them all
     if (!other.empty())
-        return SoftKey{word("Enter the job's zeros"),
-                       [this, other] { enterZeros(other); },
-                       Sign::Offsets,
-                       rests,
-                       false,
-                       false,
-                       word("Replaces what is entered: press again"),
-                       {},
-                       values.join(' '),
-                       other.size() == 1
-                           ? names.front()
-                           : QString::fromUtf8("%1 … %2").arg(names.front()).arg(other.size())};
-    if (zeros_.empty() || zerosOf_ != sheet->path) return std::nullopt;
-    return SoftKey{word("Undo the zeros"), [this] { takeZerosBack(); }, Sign::Undo, rests};
+        return SoftKey{
+            word("Enter zeros, offsets"),
+            [this, other, sheet = *sheet] { enterJob(sheet, other); },
+            Sign::Offsets,
+            rests,
+            false,
+            false,
+            word("Replaces what is entered: press again"),
+            {},
+            values.join(' '),
+            other.size() == 1
+                ? other.front().name
+                : QString::fromUtf8("%1 … %2").arg(other.front().name).arg(other.size())};
+    if (jobEntered_.empty() || !jobEnteredOf_ || jobEnteredOf_->path != sheet->path)
+        return std::nullopt;
+    return SoftKey{word("Undo zeros, offsets"), [this] { takeJobBack(); }, Sign::Undo, rests};
 }
 
-namespace {
-
-QString zeroWords(const JobZero& zero, double value) {
-    const auto row = work_zero_row(zero.system);
-    return QString("zero L%1 %2 %3=%4")
-        .arg(zero.channel)
-        .arg(row ? QString::fromStdString(work_zero_name(*row))
-                 : QString::fromStdString(zero.system),
-             QString::fromStdString(zero.axis), QString::number(value, 'f', 9));
-}
-
-// As the table has it now.
-double zeroNow(const Live& live, const JobZero& zero) {
-    const auto row = work_zero_row(zero.system);
-    const AxisConfig* axis = find_axis(live.config(), zero.channel, zero.axis);
-    return row && axis && axis->slot != kNoSlot
-               ? live.store(zero.channel).zeros[*row * kChannelAxes + axis->slot]
-               : std::nan("");
-}
-
-}  // namespace
-
-void Programs::enterZeros(const std::vector<JobZero>& zeros) {
-    if (!files_->sheet()) return;
-    zeros_.clear();
-    zerosOf_ = files_->sheet()->path;
-    for (const JobZero& one : zeros)
-        context_.requests.set(
-            zeroWords(one, one.wanted),
-            [this, one, of = zerosOf_, count = zeros.size()](const Answer& answer) {
-                // a refusal is reported; what was entered before it can be taken back
-                if (!answer.ok || of != zerosOf_) return;
-                zeros_.push_back(one);
-                if (zeros_.size() == count)
-                    context_.tell(word("The zeros of %1 are entered").arg(QFileInfo(of).fileName()),
-                                  Told::Good);
-                if (context_.keysChanged) context_.keysChanged();
-            });
+void Programs::enterJob(const JobSheet& sheet, const std::vector<JobEntry>& entries) {
+    jobEntered_.clear();
+    jobEnteredOf_ = std::make_shared<JobSheet>(sheet);
+    for (const JobEntry& one : entries)
+        context_.requests.set(one.request(one.wanted), [this, one, of = jobEnteredOf_,
+                                                        count =
+                                                            entries.size()](const Answer& answer) {
+            // a refusal is reported; what was entered before it can be taken back
+            if (!answer.ok || of != jobEnteredOf_) return;
+            jobEntered_.push_back(one);
+            if (jobEntered_.size() == count)
+                context_.tell(
+                    word("Zeros and offsets of %1 are entered").arg(QFileInfo(of->path).fileName()),
+                    Told::Good);
+            if (context_.keysChanged) context_.keysChanged();
+        });
 }
 
 // Only where the job's value is still there: what has been measured since stays.
-void Programs::takeZerosBack() {
+void Programs::takeJobBack() {
     QStringList stay;
-    for (const JobZero& one : std::exchange(zeros_, {})) {
-        if (std::abs(zeroNow(context_.live, one) - one.wanted) <= 5e-7)
-            context_.requests.set(zeroWords(one, one.entered));
+    const auto now = jobEntries(context_.live, *jobEnteredOf_);
+    for (const JobEntry& one : std::exchange(jobEntered_, {})) {
+        const auto here = std::find_if(now.begin(), now.end(), [&](const JobEntry& entry) {
+            return entry.words == one.words;
+        });
+        if (here != now.end() && here->same())
+            context_.requests.set(one.request(one.entered));
         else
-            stay << QString("L%1 %2 %3")
-                        .arg(one.channel)
-                        .arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
+            stay << one.name;
     }
     if (!stay.isEmpty())
         context_.tell(word("%1: another value stands there by now, it stays").arg(stay.join(", ")),
                       Told::Refused);
     else
-        context_.tell(word("The zeros stand as before"), Told::Good);
+        context_.tell(word("Zeros and offsets stand as before"), Told::Good);
 }
 
 // A print server that does not answer is left behind, and there is no one left to notify.
@@ -354,6 +332,27 @@ void Programs::edit() {
     // goes on where it was left
     if (editor_->file() == path && editor_->changed()) return show(Page::Edit);
     if (editor_->open(path, languageOf(path))) show(Page::Edit);
+}
+
+void Programs::openPlace() {
+    if (!isVisible() || context_.placeToEdit.file.isEmpty()) return;
+    const Context::ProgramPlace place = context_.placeToEdit;
+    const QFileInfo file(place.file);
+    if (!opensPlace_) {
+        opensPlace_ = true;
+        show(Page::Files);
+        files_->showMenu(false);
+        files_->readFolder(file.absolutePath(), file.fileName());
+    }
+    if (files_->reading()) return;
+    opensPlace_ = false;
+    context_.placeToEdit = {};
+    if (files_->chosenPath() != QDir::cleanPath(file.absoluteFilePath()))
+        return context_.tell(word("%1 is not there any more").arg(file.fileName()), Told::Refused);
+    if (editor_->changed() && editor_->file() != files_->chosenPath())
+        return context_.tell(word("The editor holds a text that is not saved"), Told::Refused);
+    edit();
+    if (page_ == Page::Edit && place.line > 0) editor_->goToLine(place.line);
 }
 
 // The chosen file; from the editor the job beside it that has the program, else the program alone
@@ -602,8 +601,9 @@ std::vector<SoftKey> Programs::keys() {
          files_->naming()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
     };
-    // of a job whose zeros are others
-    if (auto zeros = page_ == Page::Files ? zerosKey() : std::nullopt) keys[6] = std::move(*zeros);
+    // of a job whose zeros or offsets are others
+    if (auto entries = page_ == Page::Files ? jobEntriesKey() : std::nullopt)
+        keys[6] = std::move(*entries);
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if ((page_ == Page::Together || page_ == Page::Time) && dry_.running())
         keys.push_back({word("Stop"),

@@ -30,6 +30,7 @@ public:
         files_->follow();
         restart_->follow();
         editor_->follow();
+        openPlace();
         lookSaved();
         takePrint();
         takeSelected();
@@ -73,13 +74,14 @@ private:
     void layOut();
     void select();
     void edit();
+    void openPlace();  // that another screen has named, as soon as its folder is read
     void print();
     void takePrint();
     void takeSelected();
-    // enters the zeros of the chosen job, or takes that back
-    std::optional<SoftKey> zerosKey();
-    void enterZeros(const std::vector<JobZero>& zeros);
-    void takeZerosBack();
+    // enters the zeros and offsets of the chosen job, or takes that back
+    std::optional<SoftKey> jobEntriesKey();
+    void enterJob(const JobSheet& sheet, const std::vector<JobEntry>& entries);
+    void takeJobBack();
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
@@ -100,6 +102,7 @@ private:
     RestartPage* restart_;
     EditorPage* editor_;
     DryRun::Wanted wanted_;                 // of a check or dry run
+    bool opensPlace_ = false;               // the folder of a place is being read
     std::optional<DryRun::How> afterSave_;  // that waits for the text to be written
     ProgramText texts_;
     Aside<FileOutcome> printing_;  // the setup sheet
@@ -107,8 +110,8 @@ private:
     // what the job that has just been selected has otherwise, by its files as they are now
     Aside<JobSheet> selected_;
     // what has been entered so, and what stood there before
-    std::vector<JobZero> zeros_;
-    QString zerosOf_;  // of which job
+    std::vector<JobEntry> jobEntered_;
+    std::shared_ptr<const JobSheet> jobEnteredOf_;  // of which job
     DryRun dry_;
     AlignedJob aligned_;
     std::uint64_t alignedVersion_ = ~0ull, timeVersion_ = ~0ull;  // of the run: that they show

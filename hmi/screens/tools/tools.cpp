@@ -130,7 +130,7 @@ Tools::Tools(Context& context)
                                        : QString::fromUtf8("–"),
                         tool->magazine ? t.text : t.dim};
             case 3: {
-                Table::Cell cell{lifeText(*tool), lifeColour(*tool), Sign::None, false,
+                Table::Cell cell{lifeText(*tool), colourOf(lifeTone(*tool)), Sign::None, false,
                                  Face::Condensed};
                 cell.bar = lifeLeft(*tool);
                 if (cell.bar < 0) cell = {};
@@ -138,7 +138,7 @@ Tools::Tools(Context& context)
             }
             default: {
                 const StateWords state = toolWords(*tool);
-                return {state.text, state.colour, state.sign, false, Face::Condensed};
+                return {state.text, colourOf(state.tone), state.sign, false, Face::Condensed};
             }
         }
     };
@@ -257,7 +257,7 @@ void Tools::showPage(Page page) {
     version_ = 0;
     lookAt_ = 0;
     taken_ = 0;
-    if (page == Page::Data && !chosen() && !rows_.empty()) tool_ = rows_.front();
+    if (page == Page::Data && !chosen() && !awaited() && !rows_.empty()) tool_ = rows_.front();
     if (page == Page::Data) fillData();
     if (page == Page::Life) fillLife();
     if (page == Page::Pallets) fillPallets();
@@ -328,7 +328,7 @@ void Tools::fillList() {
     list_->nothing = filter_ == Filter::All && search_.isEmpty()
                          ? word("There are no tools yet: «New tool» on the page of tool data.")
                          : word("No tool is like this.");
-    if (!followPlace() && !chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
+    if (!followPlace() && !chosen() && !awaited()) tool_ = rows_.empty() ? 0 : rows_.front();
 }
 
 // In the picture the keys act on what stands in the chosen place, and on nothing where it is empty.
@@ -470,12 +470,12 @@ void Tools::composeDetail(Writer& w) {
     }
     if (!tool) return;
     const StateWords state = toolWords(*tool);
-    w.fill(QRectF(0, 0, px(5), high), state.colour, px(2));
+    w.fill(QRectF(0, 0, px(5), high), colourOf(state.tone), px(2));
     w.data(QRectF(px(16), px(8), wide * 0.56, px(28)), toolName(*tool, tool_), lettering(18, true),
            t.text);
-    w.sign(QRectF(wide * 0.62, px(11), px(22), px(22)), state.sign, state.colour);
+    w.sign(QRectF(wide * 0.62, px(11), px(22), px(22)), state.sign, colourOf(state.tone));
     w.text(QRectF(wide * 0.62 + px(30), px(8), wide * 0.38 - px(42), px(28)), state.text,
-           lettering(16, true), state.colour);
+           lettering(16, true), colourOf(state.tone));
     const auto line = [&](double x, double y, const QString& title, const QString& value) {
         w.text(QRectF(x, y, wide * 0.22, px(22)), title, lettering(14, false, Face::Condensed),
                t.dim);
@@ -495,8 +495,8 @@ void Tools::composeDetail(Writer& w) {
          sisters > 1 ? word("%1 of %2").arg(tool->duplo).arg(sisters) : QString());
     line(second, px(90), word("Life left"), lifeText(*tool));
     if (lifeLeft(*tool) >= 0)
-        w.bar(QRectF(px(16), px(124), wide - px(32), px(12)), lifeLeft(*tool), lifeColour(*tool),
-              t.edge);
+        w.bar(QRectF(px(16), px(124), wide - px(32), px(12)), lifeLeft(*tool),
+              colourOf(lifeTone(*tool)), t.edge);
 }
 
 void Tools::showMagazine(std::int32_t magazine) {

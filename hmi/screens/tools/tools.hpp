@@ -125,6 +125,8 @@ private:
     std::vector<std::int32_t> magazines() const;
     void showMagazine(std::int32_t magazine);
     const ToolRow* chosen() const { return toolOf(context_.live, tool_); }
+    // it has just been made: its row is still on the way to the screens
+    bool awaited() const { return tool_ && tool_ == added_; }
     bool textField() const;
 
     Page page_ = Page::Magazine;
@@ -138,7 +140,7 @@ private:
     Filter filter_ = Filter::All;
     QString search_, typed_;
     std::vector<std::int32_t> rows_;
-    std::int32_t tool_ = 0;
+    std::int32_t tool_ = 0, added_ = 0;  // added_: by «New tool», the last one
     std::uint64_t version_ = 0;
     struct LifeLine {
         std::int32_t tool = 0;  // 0: the line of a group

@@ -121,9 +121,10 @@ void Tools::addTool() {
     context_.requests.store(
         {{"do", "tools.add"}, {"fields", QJsonObject{}}}, [this](const Answer& answer) {
             if (!answer.ok) return;
-            tool_ = answer.object.value("tool").toInt();
+            tool_ = added_ = answer.object.value("tool").toInt();
             context_.tell(word("Tool %1 is new: enter what it is").arg(tool_), Told::Good);
             showPage(Page::Data);
+            table_->choose(0);  // its name
         });
 }
 

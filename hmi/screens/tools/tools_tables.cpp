@@ -254,13 +254,13 @@ void Tools::fillLife() {
             case 2:
                 return {toolName(*tool, line.tool), t.text};
             case 3: {
-                Table::Cell cell{lifeText(*tool), lifeColour(*tool)};
+                Table::Cell cell{lifeText(*tool), colourOf(lifeTone(*tool))};
                 cell.bar = lifeLeft(*tool);
                 return cell.bar < 0 ? Table::Cell{word("not monitored"), t.dim} : cell;
             }
             case 4: {
                 const StateWords state = toolWords(*tool);
-                return {state.text, state.colour, state.sign};
+                return {state.text, colourOf(state.tone), state.sign};
             }
             case 5:
                 return opens && line.parts >= 0

@@ -212,14 +212,14 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
     const ToolRow* tool = toolOf(live_, place.tool);
     const ToolPlace* bright = chosen();
     const bool here = bright == spot.place, locked = (place.state & kPlaceLocked) != 0;
-    const StateWords state = tool ? toolWords(*tool) : StateWords{{}, Sign::None, t.edge};
+    const StateWords state = tool ? toolWords(*tool) : StateWords{};
     unsigned works = 0;
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (place.tool && live_.tools().in_channel[l] == place.tool) works = l + 1;
     w.fill(box, here ? t.mark : tool ? t.raised : t.window, round);
     w.frame(box,
             here && focused ? t.accent
-            : tool          ? state.colour
+            : tool          ? colourOf(state.tone)
                             : t.edge,
             round,
             here   ? px(4)
@@ -260,11 +260,11 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
                Qt::AlignCenter);
         if (!locked)
             w.sign(QRectF(box.center().x() - sign / 2, box.top() + side * 0.61, sign, sign),
-                   state.sign, state.colour);
+                   state.sign, colourOf(state.tone));
         if (part >= 0)
             w.bar(
                 QRectF(box.center().x() - side * 0.22, box.top() + side * 0.86, side * 0.44, px(5)),
-                part, lifeColour(*tool), t.edge);
+                part, colourOf(lifeTone(*tool)), t.edge);
         return;
     }
     if (!small)
@@ -275,11 +275,11 @@ void Magazine::composeSpot(Writer& w, const Spot& spot) const {
     if (!locked)
         w.sign(QRectF(box.center().x() - sign / 2, box.top() + side * (small ? 0.42 : 0.47), sign,
                       sign),
-               state.sign, state.colour);
+               state.sign, colourOf(state.tone));
     if (part >= 0)
         w.bar(QRectF(box.center().x() - side * 0.27, box.top() + side * 0.76, side * 0.54,
                      std::max<double>(px(5), side * 0.06)),
-              part, lifeColour(*tool), t.edge);
+              part, colourOf(lifeTone(*tool)), t.edge);
 }
 
 void Magazine::compose(Writer& w) {
@@ -335,13 +335,13 @@ void Magazine::compose(Writer& w) {
             if (below + px(28) < height() - size)
                 w.text(QRectF(size, below + px(2), width() - 2 * size, px(24)),
                        state.text + (life.isEmpty() ? QString() : "   " + life), lettering(15),
-                       state.colour, Qt::AlignCenter);
+                       colourOf(state.tone), Qt::AlignCenter);
         } else if (tool) {
             const StateWords state = toolWords(*tool);
             w.sign(QRectF(middle.x() - px(11), middle.y() + px(22), px(22), px(22)), state.sign,
-                   state.colour);
+                   colourOf(state.tone));
             w.text(QRectF(middle.x() - hub * 0.9, middle.y() + px(46), 1.8 * hub, px(24)),
-                   state.text, lettering(15), state.colour, Qt::AlignCenter);
+                   state.text, lettering(15), colourOf(state.tone), Qt::AlignCenter);
             w.text(QRectF(middle.x() - hub * 0.9, middle.y() + px(70), 1.8 * hub, px(24)),
                    lifeText(*tool), lettering(15), t.dim, Qt::AlignCenter);
         }
@@ -357,7 +357,7 @@ void Magazine::compose(Writer& w) {
                    lettering(17, true), t.text, Qt::AlignCenter);
         w.text(QRectF(0, spots.front().box.bottom() + px(10), width(), px(28)),
                tool ? toolWords(*tool).text : word("empty"), lettering(17, true),
-               tool ? toolWords(*tool).colour : t.dim, Qt::AlignCenter);
+               tool ? colourOf(toolWords(*tool).tone) : t.dim, Qt::AlignCenter);
     }
     if (carried) {
         const ToolRow* tool = toolOf(live_, carried);

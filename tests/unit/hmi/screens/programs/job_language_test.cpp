@@ -103,21 +103,21 @@ TEST_F(JobLanguage, ItsZerosAreEnteredTogetherAndTakenBack) {
     Operator hand(*window);
     hand.screen("programs");
     ASSERT_TRUE(waitFor([&] { return shown("entered: -20.000") && zero(kZeroG54 + 1, 1) == 4; }));
-    hand.soft("Enter the job's zeros");
+    hand.soft("Enter zeros, offsets");
     frames(*window, 300);
     EXPECT_EQ(zero(kZeroG54, 1), -20) << "one press enters nothing";
     EXPECT_TRUE(standsOn(window->ownSheets(), "L1 G54 Z")) << "the question names them";
-    hand.soft("Enter the job's zeros");
+    hand.soft("Enter zeros, offsets");
     ASSERT_TRUE(waitFor([&] { return zero(kZeroG54, 1) == -150 && zero(kZeroG54 + 1, 1) == -80; }));
     EXPECT_EQ(zero(kZeroG54 + 1, 0), 1.5);
     ASSERT_TRUE(waitFor([&] { return told("zeros.job.toml"); }));
     ASSERT_TRUE(g_controller->set("zero L1 G55 Z=-81"));  // measured meanwhile
     ASSERT_TRUE(waitFor([&] { return zero(kZeroG54 + 1, 1) == -81; }));
     // that one is offered again, and not wanted
-    hand.soft("Enter the job's zeros");
+    hand.soft("Enter zeros, offsets");
     ASSERT_TRUE(g_controller->set("zero L1 G55 Z=-80"));
     ASSERT_TRUE(waitFor([&] { return zero(kZeroG54 + 1, 1) == -80; }));
-    hand.soft("Undo the zeros");
+    hand.soft("Undo zeros, offsets");
     ASSERT_TRUE(waitFor([&] { return zero(kZeroG54, 1) == -20 && zero(kZeroG54 + 1, 1) == 4; }));
     for (const char* words : {"zero L1 G54 Z=0", "zero L1 G55 X=0", "zero L1 G55 Z=0"})
         ASSERT_TRUE(g_controller->set(words));

@@ -12,6 +12,13 @@ namespace {
 
 class ManyChannels : public ::testing::TestWithParam<int> {};
 
+// Where the lowest letter of a line ends, written in the middle of its box as a sheet writes it.
+double lowestInk(const Item& item) {
+    const QFontMetricsF letters(item.font);
+    return item.box.center().y() - letters.height() / 2 + letters.ascent() +
+           letters.tightBoundingRect(item.text).bottom();
+}
+
 TEST_P(ManyChannels, FitOnAPanel) {
     QTemporaryDir folder;
     QFile file(folder.filePath("many.params"));
@@ -32,6 +39,13 @@ TEST_P(ManyChannels, FitOnAPanel) {
     }));
     frames(window, 300);
     noWordIsShortened(window);
+    window.showScreen(0);
+    frames(window, 30);
+    for (Sheet* card : window.screen()->sheets())
+        for (const Item& item : card->items()) {  // letters with feet lose them in a low line
+            if (item.kind != Item::Kind::Text || item.wraps || item.text.isEmpty()) continue;
+            EXPECT_LE(lowestInk(item), item.box.bottom() + 0.5) << item.text.toStdString();
+        }
     // each is touched in the overview
     for (const unsigned channel : window.context().live.channels()) {
         window.showScreen(0);
