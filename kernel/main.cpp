@@ -122,7 +122,8 @@ int run(const std::string& instance) {
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
             std::fprintf(
                 stderr,
-                "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n",
+                "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be "
+                "late\n",
                 refused.c_str());
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
         }

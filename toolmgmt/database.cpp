@@ -186,7 +186,8 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
     if (!transaction.begun()) return parts_->fault(Alarm::StoreWrite);
     Statement parameter(
         db,
-        "INSERT OR REPLACE INTO parameters(name, instance, element, number, text) VALUES(?, ?, ?, ?, ?)");
+        "INSERT OR REPLACE INTO parameters(name, instance, element, number, text) VALUES(?, ?, ?, "
+        "?, ?)");
     Statement history(db, "INSERT INTO history(utc, who, what, old, new) VALUES(?, ?, ?, ?, ?)");
     const std::string utc = utc_now();
     for (const Change& change : changes) {

@@ -153,7 +153,8 @@ void print_paths(const Part& part) {
                 char text[512];
                 std::snprintf(
                     text, sizeof text,
-                    "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g %.12g %.12g",
+                    "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g "
+                    "%.12g %.12g",
                     nodes[k + 1] - nodes[k], ceiling, b.first[0], b.second[0], b.third[0],
                     e.first[0], e.second[0], e.third[0], b.first[1], b.second[1], b.third[1],
                     e.first[1], e.second[1], e.third[1]);

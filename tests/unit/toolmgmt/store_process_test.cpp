@@ -381,11 +381,11 @@ TEST(StoreOnDisk, IsARowOfAnotherMachineLeftOutWithAWarning) {
     sqlite3* db = nullptr;
     ASSERT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
     ASSERT_EQ(
-        sqlite3_exec(
-            db,
-            "INSERT INTO parameters VALUES('N9999',1,0,5,NULL); INSERT INTO parameters VALUES('N0105',1,0,77,NULL);"
-            "INSERT INTO offsets VALUES(1,5000,0,1); INSERT INTO zeros VALUES(40,1,0,1);",
-            nullptr, nullptr, nullptr),
+        sqlite3_exec(db,
+                     "INSERT INTO parameters VALUES('N9999',1,0,5,NULL); INSERT INTO parameters "
+                     "VALUES('N0105',1,0,77,NULL);"
+                     "INSERT INTO offsets VALUES(1,5000,0,1); INSERT INTO zeros VALUES(40,1,0,1);",
+                     nullptr, nullptr, nullptr),
         SQLITE_OK);
     sqlite3_close(db);
     polyturn::test::forget_promises(folder);

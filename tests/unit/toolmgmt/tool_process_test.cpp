@@ -292,7 +292,8 @@ TEST(Schema, OfAnOlderVersionIsBroughtUpToDateWithItsData) {
     polyturn::test::forget_promises(rig.folder + "/store");
     run_sql(
         file,
-        "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations WHERE version > 1; PRAGMA user_version=1");
+        "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations "
+        "WHERE version > 1; PRAGMA user_version=1");
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     EXPECT_EQ(rig.channel(1)->offsets[3].wear[0], 0.02);
     add_tool(rig, {{"type", 3}}, 3);
