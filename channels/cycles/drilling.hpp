@@ -50,9 +50,12 @@ struct Drilling {
 // A hole on the turning axis with depths counted from the surface (fagor G83): the approach point
 // lies in front of it.
 //
-//   approach ---.  G00 from the call point          peck k: `peck` * factor^(k-1), not below `least`; behind each the tool
-//   surface  ---+--   the first cut begins here     goes back by `retract` (0: to the approach point), then in rapid to
-//   bottom   ---v                                   `clearance` before the last depth
+//   approach ---.  G00 from the call point
+//   surface  ---+--   the first cut begins here
+//   bottom   ---v
+//
+// Peck k: `peck` * factor^(k-1), not below `least`. After each the tool goes back by `retract` (0: to
+// the approach point), then in rapid to `clearance` before the last depth.
 struct AxialHole {
     AxisValues approach{};  // point
     unsigned axis = 0;

@@ -6,20 +6,22 @@
 //      |  <---- rapid, escape above the level  |          |   level 1
 //      |  B---. / - - - - - - - - - - - - - - -|        B-. .----.   .------.
 //      |      |/<------------------- level 1   |           v      '.'        '.
-//      |       '-. / - - - - - - - - - - - - - |           '-.____.' '._______.'   down along the contour, level, up along it
+//      |       '-. / - - - - - - - - - - - - - |           '-.____.' '._______.'
 //      |          '<---------------- level 2   |
-//      |            '-----.  then once along   |        Every pocket is cut down to its floor before the next begins.
-//      |                   '-- the contour -- A'
+//      |            '-----.  then once along   |        down along the contour, level, up along it;
+//      |                   '-- the contour -- A'        each pocket to its floor before the next
 //      s <--------------------------------------
 //
 // s is the roughing direction (G71: Z, G72: X), h the height above the contour, measured towards A.
 //
 // Invariants
 //   I1  No cut goes below the contour shifted by the allowance; after the last pass along it,
-//   nothing more is left. I2  Rapid traverse stays above what the passes before have removed.
+//       nothing more is left.
+//   I2  Rapid traverse stays above what the passes before have removed.
 //   I3  The number of passes is bounded before the first move: by kMostPasses, or an alarm says
-//   which word is wrong. I4  A level exactly on a stretch of the contour cuts along this stretch; a
-//   level on its lowest point is the last pass.
+//       which word is wrong.
+//   I4  A level exactly on a stretch of the contour cuts along this stretch; a level on its lowest
+//       point is the last pass.
 #pragma once
 #include "channels/cycles/contour.hpp"
 #include "channels/state/core.hpp"

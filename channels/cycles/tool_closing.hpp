@@ -1,8 +1,8 @@
 // A contour without the hollows that the tool's flanks cannot reach (fagor_8037t part 2, 9.1.5).
 //
-//    \  .       descending steeper than the trailing edge allows: from the last reachable point a line at that angle,
-//     \   '.    until the contour is met again; ascending steeper than the leading edge: likewise, seen from the other end
-//      '----'.--
+//    \  .       descending steeper than the trailing edge allows: from the last reachable point a
+//     \   '.    line at that angle, until the contour is met again; ascending steeper than the
+//      '----'.-- leading edge: likewise, seen from the other end
 #pragma once
 #include "channels/cycles/contour.hpp"
 

@@ -4,7 +4,8 @@
 //   kernel                                   channel
 //   AskResume (block, part) ------------>    are there new values, and can the block be read again?
 //           <----------- answer ---------
-//   epoch raised, Resume (block, part) -->   state before the block, offsets as they are now, ResumeSink leaves out what is done
+//   epoch raised, Resume (block, part) -->   state before the block, offsets as they are now;
+//                                            ResumeSink leaves out what is done
 #include <cstring>
 
 #include "channels/process/channel_process.hpp"

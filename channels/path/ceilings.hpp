@@ -7,8 +7,8 @@
 // For a line k = p = 0 and the three are independent: v_max, a_max, j_max. Where the path bends
 // they compete, and what is left for changing speed falls as the speed grows. A record says how, as
 // two inequalities that hold for every axis:
-//     a^2 + (bend v^2)^2                                      <= a_max^2                                     (1)
-//     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= j_max^2                                     (2)
+//     a^2 + (bend v^2)^2                                      <= a_max^2                  (1)
+//     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= j_max^2                  (2)
 // Why      Divide each axis by its limit: t, k, p become vectors, and the motion keeps all limits
 //          where what it makes of them is no
 //          longer than 1. With T, K, X the largest |t|, |k|, |t k| of the record and c = X / (T K),

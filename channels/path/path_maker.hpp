@@ -2,14 +2,19 @@
 // its limits.
 //
 //   programmed   |----------A----------|----------B----------|
-//   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs to A, the second to B
+//   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs
+//                                                                   to A, the second to B
 //
 // Invariants
 //   I1  Consecutive records of one path meet in position, tangent and curvature, or the earlier one
-//   has kExactStop. I2  Each block that moves has exactly one record with kBlockBegin and one, the
-//   same or a later one, with kBlockEnd. I3  One move is kept back, of a smooth run of short lines
-//   (spline_run.hpp) some dozens; all go out before flush() returns. I4  What is not motion leaves
-//   in its place: between the last record of the move before and the first of the next.
+//       has kExactStop.
+//   I2  Each block that moves has exactly one record with kBlockBegin and one, the same or a later
+//       one, with kBlockEnd.
+//   I3  One move is kept back, of a smooth run of short lines (spline_run.hpp) some dozens; all go
+//       out before flush() returns.
+//   I4  What is not motion leaves in its order: between the last record of the move before and the
+//       first of the next.
+//
 // A stop instead of a blend: where it is faster (a sharp corner within 5 um is passed at about 1
 // mm/s), asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes
 // in the corner, one side measured in degrees and the other in millimetres, a rapid move on either

@@ -2,7 +2,8 @@
 //
 //   chain_     [ line 0 | line 1 | line 2 | ... | newest ]
 //   corners          v0       v1       v2                     all of a smooth curve
-//   out               M~~~~~~~~~~~~~~~                        line 0 up to M as a line, then pieces of the spline
+//   out               M~~~~~~~~~~~~~~~                        line 0 up to M as a line, then pieces
+//                                                             of the spline
 #include <algorithm>
 
 #include "channels/path/path_maker.hpp"

@@ -2,7 +2,8 @@
 // within tolerance.
 //
 //   programmed  ----A----o-o--o-o-o--o-----B-----        o vertices of short lines
-//   curve            M===c====c======c==M'               c control points of a cubic B-spline, M and M' on A and B
+//   curve            M===c====c======c==M'               c control points of a cubic B-spline,
+//                                                        M and M' on A and B
 //
 // Why: blends that fit into short lines have no curvature where they meet, so it swings between 0
 // and twice its mean, and with 0.1 mm lines jerk allows a few percent of the speed that the curve
@@ -18,7 +19,7 @@
 // Control  the blossom of the parabola through a knot P and its neighbours, which keeps quadratic
 // motion exact, whatever the
 //          intervals: with its slope and half its bend, q1 and q2, over the chord lengths,
-//              Q = P + q1 (h+ - h-)/3 - q2 h- h+ / 3                                                                       (1)
+//              Q = P + q1 (h+ - h-)/3 - q2 h- h+ / 3                                                  (1)
 //          The curve then leaves P by a sixth to a third of d = q2 h- h+ / 3:  A d- - (A + C) d + C
 //          d+  (uniform: A = C = 1/6)  (2)
 // Ends     M lies on the line before, M' on the line behind; a mirrored control point beyond each

@@ -5,8 +5,9 @@
 // the distance b: C' = 1/b, C'' ~ 1/b^2, C''' ~ 2/b^3), so a record is cut into pieces that are
 // short against the distance from the pole:
 //
-//      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40 pieces from 100 mm down to
-//       o  -'                                          1 um and as many away again
+//      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40
+//       o  -'                                          pieces from 100 mm down to 1 um and as many
+//                                                      away again
 //
 // Within a piece the derivatives change by some tens of per cent, so its limits, from samples,
 // cost little; and each piece has its own: speed falls towards the pole as the axes demand it, and

@@ -1,7 +1,7 @@
 // The kernel's side of drive_segment.h: drives that live in a process of their own.
 //
-//   begin()      takes the newest statuses       } once a tick each, around all exchanges of the tick;
-//   exchange()   a drive's command and status    } none of them enters the system
+//   begin()      takes the newest statuses       } begin() and end() once a tick, around all
+//   exchange()   a drive's command and status    } exchanges of it; none of them enters the system
 //   end()        publishes the commands          }
 //
 // The clock does what must enter the system: it wakes the drive process, in virtual time it waits

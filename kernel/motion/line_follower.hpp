@@ -2,12 +2,18 @@
 // the hob, a polygon cutter the workpiece. From any state at its beginning it reaches the line
 // within its speed, acceleration and jerk, and stays on it.
 //
-//   s |              .-'  line + offset         Closing  the gap e = s - (line + offset) runs to 0 as the quintic in time that
-//     |          .-'.'                                   begins at (e, e', e'') and ends in (0, 0, 0)
-//     |  follower_.'                            On line  the line is an estimate with an encoder's noise in it; the follower is
-//     |_________.'                                       a triple integrator whose jerk is what the deviation asks for, within
-//     +---------|---------> t                            the limits: noise moves nothing but jerk (as in thread_follower.hpp)
+//   s |              .-'  line + offset
+//     |          .-'.'
+//     |  follower_.'
+//     |_________.'
+//     +---------|---------> t
+//     Closing     On line
 //
+// Closing  The gap e = s - (line + offset) runs to 0 as the quintic in time that begins at
+//          (e, e', e'') and ends in (0, 0, 0).
+// On line  The line is an estimate with an encoder's noise in it; the follower is a triple integrator
+//          whose jerk is what the deviation asks for, within the limits: noise moves nothing but jerk
+//          (as in thread_follower.hpp).
 // Offset   Aim::Exactly 0; Aim::Period whole multiples of a period (a phase: any turn will do),
 //          Aim::Anywhere whatever the
 //          gentlest way onto the line leaves. The gentlest one starts |e'| T/2 beside the line and

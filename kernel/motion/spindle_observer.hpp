@@ -7,9 +7,9 @@
 //         +----------> t
 //
 // Two fading-memory polynomial filters run side by side on the middle of each count:
-//   fast   cubic, memory 1/60 s     follows swings and ramps, but carries half of the staircase's noise
+//   fast   cubic, memory 1/60 s      follows swings and ramps, but has half of the staircase's noise
 //   slow   quadratic, memory 1/10 s  at steady speed averages the staircase away
-// The slow one is believed while its predictions stay within kTrust counts of the measurement; once
+// The slow one is used while its predictions stay within kTrust counts of the measurement; once
 // it does not, it begins anew from the fast one (its memory grows with its age), and only after
 // kSettled ticks without a breach the result is faded over to it. So the switch makes no step, and
 // a swing of 20 % at 1 Hz is followed by the fast one alone.

@@ -5,8 +5,8 @@
 //     |                    .-'
 //     |                  .-'          line: s = lead (angle - start angle)/360, record after record
 //     |              _.-'
-//     |__________.-''                 from rest at s = 0, begun early enough to be on the line after T
-//     +---------|---+-------------> angle
+//     |__________.-''                 from rest at s = 0, begun so early that it is on the line
+//     +---------|---+-------------> angle                                              after T
 //               |<->| w T/2   start angle
 //
 // Start    At rest, T/2 before the spindle comes to the start angle: then the line is v T/2 behind

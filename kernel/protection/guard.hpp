@@ -2,11 +2,15 @@
 // carriers with the tool in work, of all channels, in every mode (N19xx, N20xx, machine.toml).
 // Bodies are rectangles in the work area's plane of X and Z; a carrier moves with its axes.
 //
-//        +-----+   v        braking from now on, each body would rest at the end of its arrow; eight points of both ways are
-//        |  A  |--->        looked at. When A and B would then be nearer than PT_GUARD_DISTANCE, and nearer than they are,
-//        +-----+  +---+     whoever moves them stops now. Away from each other they may always go.
+//        +-----+   v
+//        |  A  |--->        braking from now on, each body would rest at the end of its arrow
+//        +-----+  +---+
 //                 | B |
-//                 +---+     The displacement along a path bends as it has bent in the last tick.
+//                 +---+
+//
+// Eight points of both displacements are checked. When A and B would then be nearer than
+// PT_GUARD_DISTANCE, and nearer than they are, whoever moves them stops now. Away from each other
+// they may always go. The displacement along a path bends as it has bent in the last tick.
 //
 // The bodies themselves, and how a turret carries the tools of its other stations:
 // ipc/machine/bodies/room_bodies.hpp.

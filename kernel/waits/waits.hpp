@@ -14,8 +14,9 @@
 //     live: no alarm, reset or death has to take it away, and none can forget to.
 // I3  Only like meets like: a cut a cut, a dry run a dry run, a block by hand another one, a search
 //     one of the same restart.
+//
 // Pure arithmetic on 16 channels: no clock, no image. A library of its own: the kernel asks it each
-// tick, and `check` asks the same one without time (supervisor/check/wait_match.hpp). Tested against
+// tick, `check` asks the same one without time (supervisor/check/wait_match.hpp). Tested against
 // plain models.
 #pragma once
 #include <array>

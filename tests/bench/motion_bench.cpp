@@ -4,7 +4,7 @@
 // on tests/bench/parts (the issue allows 10 % above the reference), and what a tick of it costs.
 // First a table, then Google Benchmark's.
 //     motion_bench                   both
-//     motion_bench --paths X.part    the path of a part as tests/bench/reference/reference.cpp reads it
+//     motion_bench --paths X.part    the path of a part as bench/reference/reference.cpp reads it
 #include <benchmark/benchmark.h>
 
 #include <cmath>

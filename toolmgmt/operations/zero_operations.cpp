@@ -1,9 +1,10 @@
-// Zero offsets as a setter enters them: typed in, from a surface that the tool stands at, from the
+// Zero offsets as a setter enters them: typed in, from a surface that the tool touches, from the
 // workpiece setter (N3014, N3015).
 //
-//   machine = zero + external + shift + offset + value   ->   zero = machine - offset - value - external - shift   (X as the table shows it)
+//   machine = zero + external + shift + offset + value
+//   zero    = machine - offset - value - external - shift       (X as the table shows it)
 //
-// The offset is that of the tool or probe that stands there: its geometry and wear. A probe whose
+// The offset is that of the tool or probe that is there: its geometry and wear. A probe whose
 // lengths lead to the middle of its ball (tip 0 or 9) touches with the ball's side: its nose radius
 // counts towards where it travelled.
 #include <cmath>
