@@ -7,8 +7,8 @@
 //         |     .            n  the block that has come
 //       p |   .
 //
-// So p ends where its equidistant meets that of n, or the arc round the corner s/n; s is not driven.
-// Where p would be driven backwards then, it is left out in its turn.
+// So p ends where its equidistant meets that of n, or the arc round the corner s/n; s is not
+// driven. Where p would be driven backwards then, it is left out in its turn.
 //
 // Calls behind an element that is left out are made at that point. The retract, and
 // mirrored the approach, meet an element before the last one as ShortLast says.

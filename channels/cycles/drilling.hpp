@@ -54,8 +54,8 @@ struct Drilling {
 //   surface  ---+--   the first cut begins here
 //   bottom   ---v
 //
-// Peck k: `peck` * factor^(k-1), not below `least`. After each the tool goes back by `retract` (0: to
-// the approach point), then in rapid to `clearance` before the last depth.
+// Peck k: `peck` * factor^(k-1), not below `least`. After each the tool goes back by `retract` (0:
+// to the approach point), then in rapid to `clearance` before the last depth.
 struct AxialHole {
     AxisValues approach{};  // point
     unsigned axis = 0;

@@ -8,8 +8,8 @@
 //     |           start                   .
 //     +---------------------------------> s (towards the call point)
 //
-// All passes are equal and not deeper than `most`; each is cut up to the section with its allowance,
-// then the tool goes back.
+// All passes are equal and not deeper than `most`; each is cut up to the section with its
+// allowance, then the tool goes back.
 #pragma once
 #include "channels/cycles/contour.hpp"
 #include "channels/state/core.hpp"

@@ -1,5 +1,5 @@
-// What an interpreter remembers of the block under way, for all languages. A block is read, comes to
-// a barrier, is read again behind it, and ends; between two blocks only `serial`, `fresh` and
+// What an interpreter remembers of the block under way, for all languages. A block is read, comes
+// to a barrier, is read again behind it, and ends; between two blocks only `serial`, `fresh` and
 // `ended` hold.
 #pragma once
 #include <cstdint>

@@ -22,13 +22,12 @@
 // would have in the middle (it is linear in them).
 //
 // Right     Ends and middle meet by construction (Hermite); the deviation is measured against the
-//           programmed path at the same
-//           distance from the corner, which is never less than the distance to the path. Tested in
-//           blend_test.cpp.
+//           programmed path at the same distance from the corner, which is never less than the
+//           distance to the path. Tested in blend_test.cpp.
 // Cost      closed form between lines; with arcs up to six trials for the trim.
 // Weakness  both trims are equal, so a short neighbour makes a small blend; the jerk at a
-// tangential line-arc junction is
-//           2.25 times that of a transition curve that may shift the arc.
+//           tangential line-arc junction is 2.25 times that of a transition curve that may shift
+//           the arc.
 #pragma once
 #include "channels/path/ceilings.hpp"
 

@@ -10,19 +10,18 @@
 //     a^2 + (bend v^2)^2                                      <= a_max^2                  (1)
 //     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= j_max^2                  (2)
 // Why      Divide each axis by its limit: t, k, p become vectors, and the motion keeps all limits
-//          where what it makes of them is no
-//          longer than 1. With T, K, X the largest |t|, |k|, |t k| of the record and c = X / (T K),
+//          where what it makes of them is no longer than 1. With T, K, X the largest |t|, |k|,
+//          |t k| of the record and c = X / (T K),
 //              |t a + k v^2|^2 <= (1 + c) ((T a)^2 + (K v^2)^2)
 //          With equal axes c = 0: a unit tangent and its derivative are orthogonal. (2) likewise, p
 //          split along t and across.
 //          Longer than 1 can still be within limits (at 45 degrees an axis sees 0.7 of it);
 //          tests/bench/motion_bench: 4 % of time.
 // v_max    is where (1) and (2) leave enough to slow down: kBendShare of (1), kAlongLeft and
-//          kAcrossLeft of (2), and all of N0402.
-//          On an arc the bend never lowers v_max below N0310: where it would, it is given as much
-//          more than N0400 as that takes
-//          (N0400 is what an axis may change its speed with; what lies across the path is N0402's).
-//          The jerk limits it all the same.
+//          kAcrossLeft of (2), and all of N0402. On an arc the bend never lowers v_max below N0310:
+//          where it would, it is given as much more than N0400 as that takes (N0400 is what an axis
+//          may change its speed with; what lies across the path is N0402's). The jerk limits it all
+//          the same.
 // A thread follows the spindle, at one speed: its record has all four 0, a_max and j_max are what
 // is left at v_max, of which kThreadBend and kThreadTwist of acceleration and jerk go to the bend.
 // Curves are sampled; arcs also at each point where an axis turns back. kSampling covers what lies

@@ -6,9 +6,8 @@
 //
 //   programmed  in the active workpiece system, X as a radius
 //   frame       programmable: translation, rotation, scale, mirror (frame.hpp; none: programmed
-//               itself). frame(programmed) is
-//               what `pos` of an event shows. Tool offsets lie outside of it: neither mirrored nor
-//               turned.
+//               itself). frame(programmed) is what `pos` of an event shows. Tool offsets lie
+//               outside of it: neither mirrored nor turned.
 //   zero        external, G54.., G92/G50, G52: changing it moves nothing, the programmed position
 //               becomes another number
 //   shift       tool offset that acts as a shift of the system (fanuc geometry with LGT=0, nct):
@@ -241,9 +240,8 @@ public:
     void refresh_limits();
     AxisSet plane_axes(int& p, int& q) const;  // places of the plane's axes; -1 missing
 
-    // --- transformations: switched while the axes rest and the runner stands at a barrier; nothing
-    // moves
-    // centres are filled in here: where the programmed coordinates are 0
+    // --- transformations: switched while the axes rest and the interpreter waits at a barrier;
+    // nothing moves. Centres are filled in here: where the programmed coordinates are 0.
     bool transform(const Transformation& transformation);
     void transform_off();
     bool transformed() const { return path.transformation.active(); }

@@ -37,9 +37,8 @@
 //                                 fault of its encoder, 0 gone
 //   Sensor                        object: axis (kMaxAxes + n: spindle n), flags: number of the
 //                                 input, channel: 1 in positive, 2 in negative, 0 in both
-//                                 directions
-//                                 of travel, value: true machine mm or degrees from which on the
-//                                 input is on
+//                                 directions of travel, value: true machine mm or degrees from
+//                                 which on the input is on
 //   SetParameter                  text: a parameter line
 //   Watch                         object: slot, flags as SetSignal: each change is logged as a
 //                                 Signal event

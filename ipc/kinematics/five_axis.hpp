@@ -5,8 +5,8 @@
 //   table    x -> c + R(angle) (x - c)     turns the workpiece
 //   head     tip = pivot + R(angle) arm    turns the tool about its pivot
 //   M = T1 T2 p - (H1(arm1 + H2 arm2) - (arm1 + arm2))
-// The first table carries the second one, the first head the second head. With both at 0 the coordinates of path and axes are the same: tool length and zeros stay where
-// they are.
+// The first table carries the second one, the first head the second head. With both at 0 the
+// coordinates of path and axes are the same: tool length and zeros stay where they are.
 #pragma once
 #include "ipc/kinematics/kinematics.hpp"
 

@@ -7,8 +7,8 @@
 //     |      \          /
 //     |       '--------'  -p
 //
-// It is time-optimal, and of all profiles that brake the lowest in speed at every point of the path,
-// so also the shortest.
+// It is time-optimal, and of all profiles that brake the lowest in speed at every point of the
+// path, so also the shortest.
 //
 // Given    v, a; w; A, J. The speed at which releasing at once ends: release = v + a|a|/(2J).
 // Braking  (release > w)   p^2 = J (v - w) + a^2/2, at most A^2;                            (1)

@@ -4,12 +4,12 @@
 // The kernel hands over records one by one (append) and then asks each tick for a step; the planner
 // knows lengths and speed limits only, never geometry. Record numbers are the ring's own indices.
 //
-//     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
-//     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record,
-//     stands_before))
+//     planner.clear(next ring index)      at attach, reset, new epoch: the path is at standstill
+//     while (planner.wants_record() && ring has more)
+//         planner.append(PlannedRecord::from(record, stands_before));
 //     const PathStep step = planner.tick(input);
 //         records [began_from, began_to) began in this tick, at the part planner.begin_fraction(i)
-//         of it (0 to 1)
+//             of it (0 to 1)
 //         records [ended_from, ended_to) ended in this tick, at planner.end_fraction(i)
 //         position: record step.record at step.s; before the first append after clear() it means
 //         nothing (record == next)

@@ -6,8 +6,8 @@
 // (nct_parameters_part1 8.6). The PLC decides whether and in which direction it turns (SP_ROT 3, 4,
 // 5), programs only the speed.
 //
-//   Turning ---SP_OREQ---> Approach ----------------------> Closed       SP_OREQ gone: Turning again,
-//                 |          | M19 and the zero pulse unknown  ^         at the speed it has
+//   Turning ---SP_OREQ---> Approach ----------------------> Closed     SP_OREQ gone: Turning
+//                 |          | M19 and the zero pulse unknown  ^       again, at its speed
 //                 |          '--> Searching ---zero pulse------'
 //                 '--at standstill, nothing to search----------'
 // M19 (SP_ROT 19): approach at N0801, then to zero pulse + N0684 + the angle that the program

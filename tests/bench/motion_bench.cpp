@@ -1,8 +1,7 @@
 // libs: polyturn_motion polyturn_channel_path
 //
-// How near the planner comes to the least possible time
-// on tests/bench/parts (the issue allows 10 % above the reference), and what a tick of it costs.
-// First a table, then Google Benchmark's.
+// How near the planner comes to the least possible time on tests/bench/parts (the issue allows 10 %
+// above the reference), and what a tick of it costs. First a table, then Google Benchmark's.
 //     motion_bench                   both
 //     motion_bench --paths X.part    the path of a part as bench/reference/reference.cpp reads it
 #include <benchmark/benchmark.h>

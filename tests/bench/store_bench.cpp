@@ -1,8 +1,8 @@
 // libs: polyturn_toolmgmt GTest::gtest
 //
-// The store's figures (issue 6): a T call among 1000 tools
-// under 200 us; an offset change on disk under 10 ms; 10 000 life updates a second; a start with
-// 1000 tools and a million lines of history under 1 s.
+// The store's figures (issue 6): a T call among 1000 tools under 200 us; an offset change on disk
+// under 10 ms; 10 000 life updates a second; a start with 1000 tools and a million lines of history
+// under 1 s.
 #include <benchmark/benchmark.h>
 #include <sqlite3.h>
 

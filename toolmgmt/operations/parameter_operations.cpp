@@ -2,8 +2,8 @@
 // the value before and after.
 //
 //   {"do":"parameters.set","target":"N1600 L1","delta":0.5}
-//   {"do":"parameters.set","target":"N1600 L1","value":2.5,"expected":3}   refused when it has another
-//                                                                          value by now
+//   {"do":"parameters.set","target":"N1600 L1","value":2.5,"expected":3}
+//                              refused when it has another value by now
 //
 // Lines of whole files are sent by the supervisor (StoreRequestKind::Parameter): they are
 // done together or not at all.

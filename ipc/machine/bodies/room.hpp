@@ -11,8 +11,7 @@
 //   origin = { X = 0.0, Z = 0.0 }
 //   direction = { X = -1.0, Z = 0.0 }
 //   [chuck.S1]                         diameter, length (from its face backwards), jaws (from its
-//                                      face forwards)
-//                                      carried_by = "A6": it travels with that axis
+//                                      face forwards); carried_by = "A6": it travels with that axis
 //   [turret.L1]                        stations, reach (from its axis to the seats)
 //   body = [{ X = [0.0, 200.0], Z = [-80.0, 80.0] }]     what protection guards: rectangles about
 //                                                        the tool carrier's point

@@ -11,8 +11,9 @@
 //              \
 //               \ t ---> [tool of the next station]
 //
-// A box from u to u' outwards of the axis, w wide across: turned by t it covers u cos t ... u' cos t,
-// and w |sin t| on both sides (across, the width of a tool is taken as its width along Z).
+// A box from u to u' outwards of the axis, w wide across: turned by t it covers u cos t to
+// u' cos t, and w |sin t| on both sides (across, the width of a tool is taken as its width along
+// Z).
 //
 // Configuring allocates nothing: it happens at a tick start too.
 #pragma once

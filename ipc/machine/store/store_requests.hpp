@@ -11,13 +11,13 @@
 //   Query        -                          -                           "N1600 L1"      -
 //   Flush        answered when everything before it is on disk
 //
-// A name, where there is one, wins over the numbers. "As shown": millimetres or degrees as the table
-// shows them, X as a diameter where the axis is a diameter axis. "Coordinate": of the machine, true
-// mm or degrees. Indices 0..499 of the saved variables are #500..#999; those from 500 belong to
-// languages with other names. A variable that is not saved is no error: it is just not stored.
-// Parameter lines of one import follow each other, all but the last with kMoreFollows: they are done
-// together or not at all, and the machine takes them in one tick. The answer to the last one says
-// which; the others are answered "more follows".
+// A name, where there is one, wins over the numbers. "As shown": millimetres or degrees as the
+// table shows them, X as a diameter where the axis is a diameter axis. "Coordinate": of the
+// machine, true mm or degrees. Indices 0..499 of the saved variables are #500..#999; those from 500
+// belong to languages with other names. A variable that is not saved is no error: it is just not
+// stored. Parameter lines of one import follow each other, all but the last with kMoreFollows: they
+// are done together or not at all, and the machine takes them in one tick. The answer to the last
+// one says which; the others are answered "more follows".
 #pragma once
 
 #include <cstring>
