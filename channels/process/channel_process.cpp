@@ -49,9 +49,8 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor,
       channel_(channel),
       services_(std::move(services)),
       inbox_([&]() -> EventInbox {
-          // A successor has seen nothing of what its predecessor was told, and must not.
-          // P1: nobody sees it before own_.publish(). P3: of the kernel's head the value alone
-          // counts
+          // A successor has seen no event that was sent to its predecessor, and must not.
+          // P3: of the kernel's head only the value counts; own tail before own_.publish() (P1)
           own_->event_tail.tail.store(
               kernel_->events[channel - 1].head.load(std::memory_order_acquire),
               std::memory_order_relaxed);

@@ -36,7 +36,7 @@ inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) n
     const std::uint64_t first = channel.picture_first.load(std::memory_order_acquire),
                         head = channel.pictures.head.load(std::memory_order_acquire);
     for (std::uint64_t at = head; at > first && head - at < kPictures - 1; --at) {
-        // P5, B3
+        // P5, B3: too new a serial is passed over, whenever it is seen
         if (channel.picture_serials[(at - 1) % kPictures].load(std::memory_order_relaxed) > serial)
             continue;
         BlockPicture copy;
