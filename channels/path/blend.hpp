@@ -29,7 +29,7 @@
 //           tangential line-arc junction is 2.25 times that of a transition curve that may shift
 //           the arc.
 #pragma once
-#include "channels/path/ceilings.hpp"
+#include "channels/path/record_limits.hpp"
 
 namespace polyturn::channels {
 

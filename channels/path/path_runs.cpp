@@ -131,9 +131,9 @@ void PathMaker::put_run() {
         }
         for (std::size_t c = 0; c < 6; ++c)
             r.shape[curve_shape::kParameter + c] = piece.curve.parameter[c];
-        Ceilings ceilings = ceilings_of(r, *limits_);
-        apply_turn_rules(r, piece.turn, *limits_, ceilings);
-        store(ceilings, r);
+        RecordLimits record_limits = record_limits_of(r, *limits_);
+        apply_turn_rules(r, piece.turn, *limits_, record_limits);
+        store(record_limits, r);
         out_->commit();
         if (piece.last_of_line) put_between(number);
     }

@@ -14,9 +14,9 @@
 // nothing stops (docs/design/transformations.md). A line through the pole itself needs the linear
 // axis only (SideOfPole::Through) and stays one record.
 //
-// Right   The ceilings hold for every axis as those of ceilings.hpp do, with the derivatives of the
-//         drives in place of the slots'.
-//         What the path maker asked for (corner rules, N0310) stays: the lower of the two counts.
+// Right   The limits hold for every axis as those of record_limits.hpp do, with the derivatives of
+//         the drives in place of the slots'. What the path maker asked for (corner rules, N0310)
+//         stays: the lower of the two counts.
 #pragma once
 #include "channels/path/path_maker.hpp"
 

@@ -35,7 +35,7 @@ namespace polyturn::channels {
 inline constexpr double kBendShare = 0.95, kAlongLeft = 0.1, kAcrossLeft = 0.08, kSampling = 0.995;
 inline constexpr double kThreadBend = 0.9, kThreadTwist = 0.9;
 
-struct Ceilings {
+struct RecordLimits {
     double v = 0, a = 0, j = 0;
     double bend = 0, turning = 0, along = 0, across = 0;
     // A rule that is none of the axes' limits: a_max falls, but not what the bend may take of it.
@@ -48,13 +48,13 @@ struct Ceilings {
 
 // For the record as it is: Line, Arc (whole, or part of one) or Curve. kRapid in its flags
 // chooses N0304.
-Ceilings ceilings_of(const PathRecord& record, const PathLimits& limits);
+RecordLimits record_limits_of(const PathRecord& record, const PathLimits& limits);
 // Of a record that lies in path coordinates; `drives` are the limits of the axes behind the
 // transformation. The piece must be short against reach() (transformed_out.hpp). False: an axis
 // cannot follow at any speed.
-bool ceilings_behind(const PathRecord& record, const Kinematics& kinematics,
-                     const PathLimits& drives, Ceilings& ceilings);
-void store(const Ceilings& ceilings, PathRecord& record);
+bool record_limits_behind(const PathRecord& record, const Kinematics& kinematics,
+                          const PathLimits& drives, RecordLimits& record_limits);
+void store(const RecordLimits& record_limits, PathRecord& record);
 
 // What N0307 to N0309, N0403, N0404 allow where `before` (end tangent, by slot of the axis list)
 // and `after` meet.
@@ -67,10 +67,10 @@ struct JunctionSides {
     bool arc = false;
 };
 void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits,
-                          Ceilings& ceilings);
+                          RecordLimits& record_limits);
 // The same where only the turn is known, in a run of short lines: no axis can step by more than the
 // turn.
 void apply_turn_rules(const PathRecord& record, double turn, const PathLimits& limits,
-                      Ceilings& ceilings);
+                      RecordLimits& record_limits);
 
 }  // namespace polyturn::channels
