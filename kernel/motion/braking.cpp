@@ -12,9 +12,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // --- What counts as nothing. Speeds of a path are 1e-3 to 1e3 mm/s, lengths up to 1e4 mm; a double
 // has 16 digits, and the closed forms below lose about half of them in square roots.
 
-// A speed above a ceiling by less than this is rounding: braking that was planned to meet the
-// ceiling exactly is looked at again one tick later.
-constexpr double kCeilingRounding = 1e-7;
+// A speed above a speed limit by less than this is rounding: braking that was planned to meet the
+// speed limit exactly is looked at again one tick later.
+constexpr double kSpeedRounding = 1e-7;
 // The acceleration may exceed what a stretch allows by this much where it is entered, and a piece
 // counts as braking with all there is when this little is missing: p is aimed at estimates of the
 // speed at the border, which are no better.
@@ -223,10 +223,10 @@ private:
     const Stretch* now_ = nullptr;  // where the state is
     std::uint32_t stretch_ = 0;     // its number
     double border_ = 0;             // where it ends
-    bool obey_, gentle_;            // ceilings count; p is lowered earlier than it seems necessary
-    double strict_;                 // from there on it is lowered in time, before that hoped for
-    const Aim* aim_;                // null: none, or it is behind
-    double least_ = 0;              // w, the speed to brake to
+    bool obey_, gentle_;  // speed limits count; p is lowered earlier than it seems necessary
+    double strict_;       // from there on it is lowered in time, before that hoped for
+    const Aim* aim_;      // null: none, or it is behind
+    double least_ = 0;    // w, the speed to brake to
     // s: a piece on a bend that takes all of what there is; infinity: not chosen yet
     double step_ = kInfinity;
     std::uint32_t near_count_ = 0;
@@ -243,7 +243,7 @@ bool Braking::Walk::begin() noexcept {
     while ((now_ = road_.stretch(stretch_)) != nullptr && road_.end_of(stretch_) <= s) ++stretch_;
     if (now_ == nullptr) return false;
     border_ = road_.end_of(stretch_);
-    if (obey_ && !(state().v <= now_->ceiling * (1 + kCeilingRounding))) return false;
+    if (obey_ && !(state().v <= now_->speed_limit * (1 + kSpeedRounding))) return false;
     // Already there with more: it can only be lowered. Nothing leads there.
     const PathState& first = state();
     return !(std::abs(first.a) > limits().acceleration(first.v) * (1 + kEntering) &&
@@ -255,7 +255,7 @@ bool Braking::Walk::enter() noexcept {
     if (now_ == nullptr) return false;
     border_ = road_.end_of(stretch_);
     const PathState& x = state();
-    if (obey_ && x.v > now_->ceiling * (1 + kCeilingRounding)) return false;
+    if (obey_ && x.v > now_->speed_limit * (1 + kSpeedRounding)) return false;
     if (std::abs(x.a) <= now_->limits.acceleration(x.v) * (1 + kEntering)) return true;
     b_.refused_ = now_->begin;
     return false;
@@ -279,7 +279,7 @@ bool Braking::Walk::add(double time, double jerk, bool& cut) noexcept {
     b_.jerk_[i] = jerk;
     b_.limits_[i] = &now_->limits;
     b_.at_[i + 1] = end;
-    if (obey_ && end.v > now_->ceiling * (1 + kCeilingRounding) && end.v > x.v) return false;
+    if (obey_ && end.v > now_->speed_limit * (1 + kSpeedRounding) && end.v > x.v) return false;
     return !cut || enter();
 }
 
@@ -317,7 +317,7 @@ double Braking::Walk::time_to_lower(double rate, double top, double jerk, double
     for (std::uint32_t k = 0; k < near_count_ && near_[k]->begin < before; ++k) {
         const Limits& there = near_[k]->limits;
         const double way = near_[k]->begin - x.s, before_it = jerk;
-        double v = obey_ ? std::min(x.v, near_[k]->ceiling) : x.v, a = there.acceleration(v),
+        double v = obey_ ? std::min(x.v, near_[k]->speed_limit) : x.v, a = there.acceleration(v),
                long_enough = way / x.v;
         // It brakes at least so much on the way, so it is no faster there; and the slower, the more
         // is allowed, the less it must be lowered.
@@ -648,7 +648,7 @@ bool Braking::walk(Road& road, const PathState& from, bool obey, bool gentle, do
 // c: mm/s, d: mm on the road. On the way, at x, releasing at once ends at rest(x); that falls along
 // the braking. So there is one place from which the release ends at c, and it must end before d.
 bool Braking::arrives(double c, double d) const noexcept {
-    const double at_most = c * (1 + kCeilingRounding);
+    const double at_most = c * (1 + kSpeedRounding);
     if (peak_ <= at_most) return true;
     const auto rest = [&](const PathState& x, std::uint32_t i) {
         return x.v - release_drop(x.v, -x.a, *limits_[i]);

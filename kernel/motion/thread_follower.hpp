@@ -23,7 +23,7 @@
 //          the estimated angle while the spindle swings; without it d would follow that lag.
 // End      At each tick the next state must still be able to stand at the end; when it is not, land
 //          (landing.hpp).
-// Ceiling  A spindle that runs the thread above v_max is refused at the start (Waiting, too_fast);
+// Limit    A spindle that runs the thread above v_max is refused at the start (Waiting, too_fast);
 //          if it speeds up later the path stays at v_max and says lost_line: the thread is spoilt,
 //          the machine is not.
 // Cost     Some ten multiplications a tick; no state outside this object.
