@@ -42,7 +42,7 @@ constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters",
 bool intact(sqlite3* db, int version, std::string& what) {
     for (const char* table : kChecked) {
         if ((version < 2 && std::string_view(table) == "records") ||
-            (version < kPromises && std::string_view(table) == "promise"))
+            (version < kAcknowledges && std::string_view(table) == "promise"))
             continue;
         Statement check(db, ("PRAGMA quick_check('" + std::string(table) + "')").c_str());
         if (!check.row()) return false;

@@ -9,7 +9,7 @@
 //   history     when (UTC), who, what, old, new; the newest million
 //   stops       when (UTC) a channel stood, how long, why; the newest hundred thousand
 //   migrations  which versions of this schema the file went through
-//   promise     how many commits were acknowledged, against store.witness (promise/README.md)
+//   promise     how many commits were acknowledged, against store.witness (durability/README.md)
 //
 // A file of an older version is brought up to date inside one transaction; one of a newer version
 // is refused and left as it is. Damage and loss are found when it is opened: then condition() says

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "toolmgmt/database.hpp"
-#include "toolmgmt/promise/page_sums.hpp"
-#include "toolmgmt/promise/witness.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
+#include "toolmgmt/durability/witness.hpp"
 #include "toolmgmt/statement.hpp"
 
 namespace polyturn::toolmgmt {
@@ -50,8 +50,8 @@ struct Database::Parts {
     // Brings the log into the main file.
     Result<void> fold();
     // The first acknowledgement of a store: sums of all pages, then the witness.
-    Result<void> begin_promise();
-    bool read_promise(bool& had_users);
+    Result<void> begin_acknowledging();
+    bool read_acknowledged(bool& had_users);
     Result<void> note_unfit();
 };
 

@@ -68,7 +68,8 @@ constexpr std::array kSteps = {
     CREATE INDEX IF NOT EXISTS history_edges ON history(utc)
         WHERE what GLOB 'tool [0-9]* D[0-9]* DP[0-9]*' AND who NOT IN ('program', 'setup');
     )sql",
-    // What was acknowledged, against store.witness (toolmgmt/promise). users: there have been some.
+    // What was acknowledged, against store.witness (toolmgmt/durability). users: there have been
+    // some.
     R"sql(
     CREATE TABLE IF NOT EXISTS promise(id INTEGER PRIMARY KEY CHECK(id = 1),
                                        store INTEGER NOT NULL, commits INTEGER NOT NULL,

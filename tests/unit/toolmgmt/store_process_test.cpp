@@ -388,7 +388,7 @@ TEST(StoreOnDisk, IsARowOfAnotherMachineLeftOutWithAWarning) {
                      nullptr, nullptr, nullptr),
         SQLITE_OK);
     sqlite3_close(db);
-    polyturn::test::forget_promises(folder);
+    polyturn::test::forget_acknowledged(folder);
     ASSERT_TRUE(rig.start({"--store", folder, "--machine", kMachine})) << rig.messages();
     EXPECT_EQ(rig.value_of("N0105 L1"), "2");
     EXPECT_NE(rig.messages().find("N9999"), std::string::npos);
