@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/soft_keys.hpp"
-#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/machine_step.hpp"
 
 namespace polyturn::hmi {

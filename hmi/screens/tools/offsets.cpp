@@ -11,7 +11,7 @@
 #include "hmi/text/dates.hpp"
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/machine/store/work_zeros.hpp"
 
 namespace polyturn::hmi {
