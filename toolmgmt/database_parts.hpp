@@ -55,7 +55,7 @@ struct Database::Parts {
     Result<void> note_unfit();
 };
 
-// Are the tables that act whole? `what`: the first fault. The history is looked at when it is read.
+// Are the tables that act whole? `what`: the first fault. The history is checked when it is read.
 bool intact(sqlite3* db, int version, std::string& what);
 // Of all users; never 0.
 std::uint64_t digest_of_users(sqlite3* db);

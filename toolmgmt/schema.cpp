@@ -51,7 +51,7 @@ constexpr std::array kSteps = {
                        program TEXT, line INTEGER, seconds REAL,
                        PRIMARY KEY(utc, channel)) WITHOUT ROWID;
     )sql",
-    // What machine and programs have refused or warned of, as events tell it. And indexes for a
+    // What machine and programs have refused or warned of, as events report it. And indexes for a
     // million rows of history, of which screens ask for one value, for all parameters, for what
     // people entered as offsets: history_query() has the same conditions word for word, or the
     // partial ones are not used (tests/unit/toolmgmt/history_plan_test.cpp).

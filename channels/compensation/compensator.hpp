@@ -40,7 +40,7 @@ public:
         BlockContext at;
     };
 
-    // p, q: places of the plane's axes.
+    // p, q: indices of the plane's axes.
     void open(Sink& out, unsigned p, unsigned q, const Options& options);
     bool closed() const;
     // while off

@@ -174,7 +174,7 @@ bool Compensator::leave_out_short(const Element& next, CornerResult& corner, Vec
         const Element& p = one.held.element;
         if (one.held.role == Role::Begin) return begin_beyond_short(next, corner, gap);
         count += one.left_out + 1;
-        if (count > options_.leaves_out) return true;  // judged as any other element
+        if (count > options_.leaves_out) return true;  // treated as any other element
         std::optional<Vec> point;
         if (round) {
             Element way =

@@ -2,7 +2,7 @@
 //
 //   initial level  ---.                 . return (or at the R level)
 //                     | rapid           :
-//   R level        ---+--.  rapid back after each peck (full), or a short way up (chip break)
+//   R level        ---+--.  rapid back after each peck (full), or a short distance up (chip break)
 //                     |  :
 //   bottom         ---v  : dwell
 #pragma once
@@ -11,10 +11,10 @@
 namespace polyturn::channels::cycles {
 
 struct Drilling {
-    unsigned axis = 0;                                  // place of the drilling axis
+    unsigned axis = 0;                                  // index of the drilling axis
     double initial = 0.0, r_level = 0.0, bottom = 0.0;  // workpiece system, true mm
     double peck = 0.0;                                  // depth of one peck; 0: in one go
-    double clearance = 0.0;   // above the last depth (full), or the way up (chip break)
+    double clearance = 0.0;   // above the last depth (full), or the distance up (chip break)
     bool chip_break = false;  // stay in the hole between pecks
     bool dwells = false;
     double dwell = 0.0;  // seconds, or revolutions

@@ -36,7 +36,7 @@ struct StockRemoval {
     bool first_pocket_first = true;
     double depth = 0.0;       // of one pass, mm, towards the contour
     char depth_letter = 'U';  // to point at when it is illegal
-    double escape = 0.0;      // mm, both ways
+    double escape = 0.0;      // mm, in both directions
     Point allowance;          // what finishing finds; signed
     // how far the contour may run back, mm
     double roughing_tolerance = 0.0, cutting_tolerance = 0.0;

@@ -9,7 +9,8 @@
 namespace polyturn::channels::cycles {
 
 struct Flanks {
-    // steepest way into the material, against the direction of the cut; 90 and more: all of it
+    // steepest direction into the material, against the direction of the cut; 90 and more: all of
+    // it
     double descent_deg = 180.0;
     double ascent_deg = 180.0;
 };

@@ -29,7 +29,7 @@ void ChannelProcess::restart(const ChannelEvent& event) {
     begin_program();
 }
 
-// Drives of the channel's axes, by their places.
+// Drives of the channel's axes, by axis index.
 AxisValues ChannelProcess::axes_now() {
     AxisValues out{};
     for (unsigned i = 0; i < view_->axis_count; ++i)

@@ -10,7 +10,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 1e-12;                   // an axis' share below this does not move
 constexpr double kFastest = 1e6, kHardest = 1e9;  // where no axis limits: keeps arithmetic finite
-// Places of an arc that are looked at: so many and so many a radian, at the most ... (every 0.1 rad
+// Points of an arc that are sampled: so many and so many a radian, at the most ... (every 0.1 rad
 // its tangent has turned by 6 degrees, what lies between is in kSampling), and its quarters.
 constexpr std::size_t kArcSamples = 4, kMostArcSamples = 64;
 constexpr double kArcSamplesPerRad = 10;

@@ -82,7 +82,7 @@ private:
     using Cubic = std::array<std::array<double, 6>, kMaxCurveAxes>;
     struct Control {
         SplinePoint point;   // P
-        std::size_t vertex;  // its place in path_; 0 is M
+        std::size_t vertex;  // its index in path_; 0 is M
         SplinePoint used{};  // Q
         bool fixed = false;  // next to an end
     };

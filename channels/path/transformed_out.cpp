@@ -50,7 +50,7 @@ void TransformedOut::begin(const Kinematics& kinematics, double turn, SideOfPole
     side_ = side;
 }
 
-// What the path maker judges corners by. The limits that count in the end are those of the
+// The limits by which the path maker decides on corners. The limits that count in the end are those of the
 // drives.
 const PathLimits& TransformedOut::limits() {
     path_ = *drives_;

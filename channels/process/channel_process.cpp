@@ -180,7 +180,7 @@ bool ChannelProcess::take_store() {
         own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
         inbox_.poll();
         if (inbox_.interrupts()) return false;
-        // P1, P6: looked at again behind bell.seen()
+        // P1, P6: checked again behind bell.seen()
         if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked)
             bell.wait(rings, 5'000);
     }

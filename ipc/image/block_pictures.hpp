@@ -3,13 +3,13 @@
 // block by block; screens look up the block that is executed.
 //
 // Invariants
-//   B1  Pictures from picture_first to head belong to the running program; the newest with a serial
-//   up to the block's holds.
-//       A program that was taken back has smaller serials behind larger ones: the newest still
-//       holds.
+//   B1  Snapshots from picture_first to head belong to the running program; the newest with a
+//       serial up to the block's holds. A program that was taken back has smaller serials behind
+//       larger ones: the newest still holds.
 //   B2  The channel writes slot head while head - kPictures is thereby lost: a copy counts when its
-//   index was not lost afterwards. B3  picture_serials holds the serial of each slot from before
-//   head grows. One that is lost may be seen there: B2 finds out.
+//       index was not lost afterwards.
+//   B3  picture_serials holds the serial of each slot from before head grows. One that is lost may
+//       be seen there: B2 finds out.
 #pragma once
 #include <cstring>
 

@@ -1,5 +1,5 @@
 // The supervisor's half of a note ring (note_ring.hpp). The bytes are another process's, and
-// nothing of them is believed: a head that stands nowhere or a size that leads out of the ring ends
+// nothing of them is trusted: a head that is out of range or a size that leads out of the ring ends
 // the reading for good, and what is added meanwhile waits for the next reader, so that no writer
 // can keep this one busy.
 #pragma once

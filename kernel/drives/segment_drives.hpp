@@ -24,7 +24,7 @@ public:
     // Makes the command segment of the instance. Not in the cyclic thread.
     static Result<std::unique_ptr<SegmentDrives>> create(std::string instance, bool is_virtual);
 
-    // open() takes the slot from the setup's number; spindles stand behind the axes.
+    // open() takes the slot from the setup's number; spindles follow the axes.
     const PolyturnDriveApi& axis_api();
     const PolyturnDriveApi& spindle_api();
 

@@ -13,13 +13,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // has 16 digits, and the closed forms below lose about half of them in square roots.
 
 // A speed above a speed limit by less than this is rounding: braking that was planned to meet the
-// speed limit exactly is looked at again one tick later.
+// speed limit exactly is checked again one tick later.
 constexpr double kSpeedRounding = 1e-7;
 // The acceleration may exceed what a stretch allows by this much where it is entered, and a piece
 // counts as braking with all there is when this little is missing: p is aimed at estimates of the
 // speed at the border, which are no better.
 constexpr double kEntering = 2e-3;
-// mm/s and mm/s2: below both the path stands.
+// mm/s and mm/s2: below both the path is at standstill.
 constexpr double kAtRest = 1e-9;
 // Of the speed aimed at: it has been reached.
 constexpr double kAtAim = 1e-9;
@@ -41,12 +41,13 @@ constexpr double kEndAcceleration = 1e-5, kEndAccelerationFloor = 1;  // -, mm/s
 // each, so the lower half may have more jerk). With a constant jerk J the speed that p costs is
 // p^2 / (2 J), and p/2 costs a quarter of it; so the upper half takes three quarters.
 constexpr double kUpperShare = 0.75, kLowerShare = 0.25;
-// The way of a release to a stand is J t^3/6 = v t/3, since v = J t^2/2: a third of v on average.
+// The travel of a release to standstill is J t^3/6 = v t/3, since v = J t^2/2: a third of v on
+// average.
 constexpr double kReleaseMeanSpeed = 3;  // v divided by this
 constexpr double kSpeedAtHalf = 4;       // v divided by this is left where p/2 is left
 
 // --- Pieces on bends, where limits depend on speed. Shorter pieces lose less (limits.hpp: each is
-// judged at its beginning), and cost more. Tuned with tests/bench/motion_bench.
+// checked at its beginning), and cost more. Tuned with tests/bench/motion_bench.
 
 // Pieces of a braking on a bend that takes all of what there is, about.
 constexpr double kPiecesOnBend = 12;
@@ -109,7 +110,7 @@ constexpr double kEarlier = 0.7;
 // --- Newton for the time at which a place is reached.
 constexpr int kNewtonRounds = 60;          // bisection alone needs 44
 constexpr double kNewtonRelative = 1e-13;  // of the longest time: near the last digits
-// mm/s: keep the quotient finite where the path nearly stands.
+// mm/s: keep the quotient finite where the path is nearly at standstill.
 constexpr double kLeastSpeedFirst = 1e-9, kLeastSpeed = 1e-12;
 
 // --- Has a place been passed slowly enough (arrives)?
@@ -170,7 +171,7 @@ struct Braking::Release {
 //     begin          which stretch is it on
 //     end_rise       a > 0 is released
 //     choose_aim     how slow must it become: a stand, or first the speed of the aim
-//     to_stand       pieces of p until it stands. Each:
+//     to_stand       pieces of p until standstill. Each:
 //         change         how may p change, for how long (up to what is allowed, and on with it)
 //         release_time   when must its release begin, so that the speed suffices for it
 //         time_to_lower  when must it be lowered, so that the stretches ahead allow it
@@ -230,7 +231,7 @@ private:
     // s: a piece on a bend that takes all of what there is; infinity: not chosen yet
     double step_ = kInfinity;
     std::uint32_t near_count_ = 0;
-    // What is looked at of the road: stretches on which a release goes on are few, and a seventh
+    // What is read of the road: stretches on which a release goes on are few, and a seventh
     // is seen by the next piece.
     static constexpr std::size_t kNear = 6;
     std::array<const Stretch*, kNear> near_;
@@ -343,9 +344,9 @@ double Braking::Walk::time_to_lower(double rate, double top, double jerk, double
 }
 
 // Releasing p on the way to a speed: the jerk of each half, and the speed that it takes. With
-// constant jerk to a stand v falls as the power 2/3 of the way that is left and p as the power 1/3
-// (v = J t^2/2, p = J t, way = J t^3/6 before the end); where a stretch is entered its limits
-// count. To a speed w > 0 the way goes nearly as the time, and so does p.
+// constant jerk to standstill v falls as the power 2/3 of the travel that is left and p as the
+// power 1/3 (v = J t^2/2, p = J t, way = J t^3/6 before the end); where a stretch is entered its
+// limits count. To a speed w > 0 the travel grows nearly as the time, and so does p.
 Braking::Release Braking::Walk::release(double s, double v, double p, double to) const noexcept {
     if (!(p > 0)) return {limits().jerk(v, 0), limits().jerk(v, 0), 0};
     if (limits().flat() && near_count_ == 0)
@@ -540,7 +541,7 @@ bool Braking::Walk::to_stand() noexcept {
             settle(0, 0);
             return true;
         }
-        // steadily to the aim, through whatever lies between, and then to a stand
+        // steadily to the aim, through whatever lies between, and then to standstill
         if (aim_ != nullptr && p <= kAtRest && v <= least_ * (1 + kAtAim)) {
             if (b_.arrival_ == 0) b_.arrival_ = b_.count_;
             if (x.s >= aim_->at) {
@@ -558,7 +559,8 @@ bool Braking::Walk::to_stand() noexcept {
         const double most = std::min(allowed_here, cap());
         Change c;
         if (!change(i, most, rise, c)) return false;
-        // What is to come within the way on which p, or what it may become here, could be released.
+        // What is to come within the travel on which p, or what it may become here, could be
+        // released.
         look(v * c.top / rise);
         const double release_at = release_time(c);
         // What there is ahead may be less than here.

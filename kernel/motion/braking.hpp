@@ -32,7 +32,7 @@
 //           speed limit, or possible() is false. So a braking that was possible once can be
 //           followed to its end whatever else comes into view.
 // Cost      a line: some 6 pieces; a bend: 6 to 20, each a handful of square roots, 20 to 50 ns.
-// Weakness  not quite the hardest braking on bends (a percent or two of the way), and sometimes
+// Weakness  not quite the hardest braking on bends (a percent or two of the travel), and sometimes
 //           none is found where there is one; both cost time only, for the profile committed before
 //           still holds.
 #pragma once

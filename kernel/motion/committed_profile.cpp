@@ -14,7 +14,7 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kFast = 1e6;             // mm/s: as hard as can be
 constexpr std::uint32_t kMaxTimeout = 4;  // ticks
-// ticks before standstill: every one is looked at, for the landing
+// ticks before standstill: each one is checked, for the landing
 constexpr double kNearEnd = 8;
 constexpr double kEntering = 2e-3;  // as in braking.cpp
 }  // namespace

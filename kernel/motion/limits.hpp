@@ -11,7 +11,7 @@
 // keep the axes within A and J. On a line the four are 0 and A and J are all there is (`flat`).
 //
 // Right     Both leave the more the smaller v is: what is allowed at some speed is allowed at any
-//           lower one. So a braking whose pieces are each judged at their highest speed and
+//           lower one. So a braking whose pieces are each checked at their highest speed and
 //           acceleration keeps (1) and (2) all along.
 // Cost      A square root or two.
 #pragma once

@@ -2,8 +2,8 @@
 // sees: path_view.cpp.
 //
 //   v |        stretch 2                     Every tick asks: which is the fastest step from
-//     |  ----.                    .------    which the path can still come to a stand, below every
-//     |       '-.                 |          speed limit and within every limit on the way?
+//     |  ----.                    .------    which the path can still come to standstill, below
+//     |       '-.                 |          every speed limit and within every limit ahead?
 //     |          '-. arrives      |
 //     |        .    '-------------'-----.    A step is one tick of the time-optimal approach to
 //     |         ' .  brakes             |    the speed limit here. If it is not allowed, a step
@@ -17,7 +17,7 @@
 //
 // Two questions are asked of the state after a step.
 //   safe     Does braking as hard as can be from there (braking.hpp) keep every hard speed limit
-//            and every limit and end before the path must stand? No other braking is slower at any
+//            and every limit and end before the path must stop? No other braking is slower at any
 //            place, so if it does not fall below a speed limit in time, none does. That braking is
 //            remembered: it is committed. If no faster step is safe at the next tick, it is
 //            followed, as it was computed. So there always is a safe step, and the path can always
@@ -29,7 +29,7 @@
 // A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of
 // steps towards the lowest limit that is violated.
 //
-// Rounding The last way to a stand is a landing, whose end is exact (landing.hpp).
+// Rounding The last part before standstill is a landing, whose end is exact (landing.hpp).
 // Right    tests: raw differences of the position on random records, feeds, overrides, holds at
 //          random ticks; anomalies() counts the ticks without a committed profile or a safe step.
 // Time     tests/bench/motion_bench: 0.5 % above the least time on lines, 6 to 10 % on curves.
@@ -72,10 +72,10 @@ constexpr double kBackwards = 1e-9;
 // ends just behind the tick would need another tick for less than the thousandth of one.
 constexpr double kStopSpeed = 1e-6, kStopAcceleration = 0.02;
 
-// Braking that takes more than this part of the way that is left is asked for by the stand, not by
-// a speed limit before it.
+// Braking that takes more than this part of the travel that is left is asked for by the stop, not
+// by a speed limit before it.
 constexpr double kStands = 0.85;
-// Braking to a crawl can be longer than to a stand (jerk_profile.hpp, the trap): speed limits
+// Braking to a crawl can be longer than to standstill (jerk_profile.hpp, the trap): speed limits
 // matter as far behind its end as this part of it and A^3 / (4 J^2). More would only cost a look.
 constexpr double kLonger = 0.15;
 // Of the acceleration allowed: with it the limits at a lower speed limit are estimated, for it is
@@ -84,15 +84,15 @@ constexpr double kHalfBraking = 0.5;
 constexpr double kFast = 1e6;  // mm/s, above every speed limit: as hard as can be
 
 // A rest is too short to be driven when a tick at the full jerk would go 10 times as far: j t^3 is
-// the way that a change of jerk makes in a tick, but for a factor.
+// the travel that a change of jerk makes in a tick, but for a factor.
 constexpr double kRest = 0.1;
-// mm and of the way: the end of the braking and the end of the road are the same place.
+// mm and of the travel: the end of the braking and the end of the road are the same place.
 constexpr double kSameEnd = 1e-6;
 // Of the acceleration allowed: above it is rounding.
 constexpr double kAccelerationRounding = 1e-12;
-// Ticks to the stand: with fewer the landing may begin although limits change on the way (they grow
-// as the speed falls, and the least are taken), and with fewer than the second it begins although
-// more speed could still be had.
+// Ticks to standstill: with fewer the landing may begin although limits change on the way (they
+// grow as the speed falls, and the least are taken), and with fewer than the second it begins
+// although more speed could still be had.
 constexpr double kSoonTicks = 6, kNowTicks = 3;
 // Of the jerk: a stop that is possible with this much is not due yet; what is left to the full jerk
 // is the play with which the landing can still meet its end.

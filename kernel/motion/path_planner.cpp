@@ -17,7 +17,7 @@ constexpr double kLeastLimit = 1e-6;
 constexpr double kJerkSteps = 100;
 // mm: less than this before an exact stop is rounding of the stop before, and not driven.
 constexpr double kNothingLeft = 1e-9;
-// mm/s: where the path must stand it may arrive with no more; more is counted (anomalies()).
+// mm/s: where the path must stop it may arrive with no more; more is counted (anomalies()).
 constexpr double kStandstillSpeed = 1e-3;
 }  // namespace
 

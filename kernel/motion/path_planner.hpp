@@ -13,8 +13,8 @@
 //         records [ended_from, ended_to) ended in this tick, at planner.end_fraction(i)
 //         position: record step.record at step.s; before the first append after clear() it means
 //         nothing (record == next)
-//     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then
-//     planner.skip(step.record + 1)
+//     step.stands != Moving says why the path is at standstill; BeforeRecord: execute step.record,
+//     then planner.skip(step.record + 1)
 //
 // Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a
 // wait. Notes of length 0 that need no standstill (Variable, Offset, SpindleSpeed) are appended
@@ -102,7 +102,7 @@ struct PathStep {
 
 class PathPlanner {
 public:
-    // dt: tick in seconds. horizon: records looked at (PT_HORIZON).
+    // dt: tick in seconds. horizon: records that are considered (PT_HORIZON).
     void configure(double dt, std::uint32_t horizon) noexcept;
     // Forget everything; the next appended record is number `next`; the path is stopped.
     void clear(std::uint64_t next) noexcept;
@@ -197,7 +197,7 @@ private:
         PathPlanner* planner_ = nullptr;
         const PathInput* input_ = nullptr;
         SpeedLimits which_ = SpeedLimits::Hard;
-        std::uint64_t record_ = 0;  // the last that was looked at
+        std::uint64_t record_ = 0;  // the last that was read
         double known_ = 0;          // where it ends
         double reach_ = 0;          // how far this tick can lead
         double fast_ = 0;           // no limit above it matters

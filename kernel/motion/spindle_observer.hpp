@@ -18,7 +18,7 @@
 //          Morrison, Introduction to Sequential Smoothing and Prediction, 1969, chapter 13.
 // Error    Fast: snap/pole^4 + about 0.05 degrees of noise. Slow: 0.01 degrees, see
 //          spindle_observer_test.
-// Weakness Where a tick is within 0.1 % of a whole number of counts (at 1 ms and 4096 counts:
+// Weakness Where a tick is within 0.1 % of an integer count (at 1 ms and 4096 counts:
 // multiples of 14.65 1/min)
 //          the staircase is the same at each tick and nothing can tell where in a count the spindle
 //          is: up to half a count.

@@ -21,7 +21,7 @@
 //          + e) - s, is kept within the limits: noise moves nothing but jerk. The integral is there
 //          because the estimates of speed and acceleration lag a little behind the derivatives of
 //          the estimated angle while the spindle swings; without it d would follow that lag.
-// End      At each tick the next state must still be able to stand at the end; when it is not, land
+// End      At each tick the next state must still be able to stop at the end; when it is not, land
 //          (landing.hpp).
 // Limit    A spindle that runs the thread above v_max is refused at the start (Waiting, too_fast);
 //          if it speeds up later the path stays at v_max and says lost_line: the thread is spoilt,

@@ -40,7 +40,7 @@ public:
     void configure(const params::Table& table, const KernelConfig& config);
     // instead of what the machine model says of their stations; then configure()
     void take_tools(const ToolShapes& shapes) noexcept { shapes_ = shapes; }
-    // What the offset in use takes from the axes of a channel (from 1), by their place in it
+    // What the offset in use takes from the axes of a channel (from 1), by their index in it
     // (machine coordinate less programmed coordinate): where the tip of the tool in work is. A
     // shape of machine.toml that names its tip goes with it; without an offset in use the tool
     // stays as it was known last.
@@ -91,7 +91,7 @@ private:
         std::size_t shown = 0, shown_count = 0;  // boxes of now, in the work area
         Box outline{};
     };
-    // displacement of the second body against the first at the points looked at
+    // displacement of the second body against the first at the points that are checked
     struct Relative {
         std::array<double, 8> x{}, z{};
     };

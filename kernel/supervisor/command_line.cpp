@@ -81,7 +81,7 @@ std::string joined(const std::vector<std::string>& words) {
     return out;
 }
 
-// The words of press and set may begin with a sign ("-120"), so they are not looked at as options;
+// The words of press and set may begin with a sign ("-120"), so they are not parsed as options;
 // --instance may stand among them.
 void take_words(const CLI::App& app, CommandLine& line) {
     std::vector<std::string> words = app.remaining();

@@ -5,7 +5,7 @@
 //
 //   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a deadlock, which no
 //                                                third channel can resolve
-//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is on its way: no
+//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is still coming: no
 //                                                deadlock
 //
 // I1  An arrival is consumed by its release; a fast channel is never counted for an earlier
