@@ -16,7 +16,8 @@ std::string m_code_section(const ReferenceWords& words, std::span<const text::Ow
     std::string page =
         "\n## " + words("M codes") + "\n" +
         words(
-            "All other M codes are waits (N2201, N2202) or go to the PLC, which says what they do.") +
+            "All other M codes are waits (N2201, N2202) or go to the PLC, which says "
+            "what they do.") +
         "\n\n";
     page += reference_head(words, {"code", "what it does"});
     for (const text::OwnMCode& one : codes)

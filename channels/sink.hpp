@@ -1,13 +1,14 @@
 // Where an interpreted program goes: elementary results in path order, one call each.
 //
 //   program text -> language -> machine state, cycles, compensation -> Sink
-//                                          check: prints events       run: makes path records and notes
+//                                                        check: prints events
+//                                                        run:   makes path records and notes
 //
 // Invariants
-//   I1  Calls come in the order in which the machine must do the things. I2  Positions are machine
-//   coordinates: mm (X as a radius) and degrees, by the axis' place in its channel
-//       (MachineView::axes says which machine axis that is). Programmed positions beside them only
-//       serve the event.
+//   I1  Calls come in the order in which the machine must execute them.
+//   I2  Positions are machine coordinates: mm (X as a radius) and degrees, by the axis' index in
+//       its channel (MachineView::axes says which machine axis that is). Programmed positions in
+//       addition to them only serve the event.
 //   I3  What is passed by reference is good until the call returns.
 //   I4  A block without any call before block_end() does not call block_end() either.
 #pragma once

@@ -24,9 +24,8 @@ namespace {
 using namespace polyturn;
 
 constexpr auto kTimeout = std::chrono::seconds(30);
-// the supervisor has died, or this process was asked to end: the machine stops in order,
-// then it ends
-// P3: a flag, announces nothing
+// the supervisor has died, or this process was asked to end: the machine stops in order, then it
+// ends. P3: a flag, announces nothing
 std::atomic<bool> alone{false};
 
 // Of nobody else's business any more: what the supervisor has started and cannot end. Ours end by
@@ -122,7 +121,8 @@ int run(const std::string& instance) {
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
             std::fprintf(
                 stderr,
-                "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n",
+                "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be "
+                "late\n",
                 refused.c_str());
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
         }

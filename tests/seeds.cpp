@@ -66,7 +66,8 @@ int run_again(const std::string& filter, std::uint64_t seed) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return 0;
     std::printf(
         "%s=%llu found a fault; repeat it with that variable and\n"
-        "    --gtest_filter=%s\nand write \"SUITE.TEST %llu\" into tests%s: then it is tried in each run\n",
+        "    --gtest_filter=%s\nand write \"SUITE.TEST %llu\" into tests%s: then it is tried in "
+        "each run\n",
         kVariable, static_cast<unsigned long long>(seed), filter.c_str(),
         static_cast<unsigned long long>(seed), kFound + 6);
     return 1;

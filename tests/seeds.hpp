@@ -3,8 +3,9 @@
 // alone.
 //
 //     std::mt19937 random(test_seed(7));          7: its fixed one
-//     PROPERTY(Frames, TheInverseTakesAnyPointBack, ()) { … }     instead of RC_GTEST_PROP, see tests/property.hpp
+//     PROPERTY(Frames, TheInverseTakesAnyPointBack, ()) { … }     instead of RC_GTEST_PROP
 //
+// PROPERTY: tests/property.hpp.
 // A test that asked for a seed is run again by a process of its own (tests/test_main.cpp), so
 // nothing of the first run is left.
 #pragma once

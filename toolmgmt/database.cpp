@@ -31,7 +31,7 @@ constexpr TableOf kTables[] = {
     {Kind::Counter, "counters"}, {Kind::Position, "positions"},
 };
 
-// Everything that acts. The history is looked at when it is read: a million rows of it must not
+// Everything that acts. The history is checked when it is read: a million rows of it must not
 // delay the start.
 constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters", "offsets",
                                     "zeros",         "variables",  "counters",   "positions",
@@ -42,7 +42,7 @@ constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters",
 bool intact(sqlite3* db, int version, std::string& what) {
     for (const char* table : kChecked) {
         if ((version < 2 && std::string_view(table) == "records") ||
-            (version < kPromises && std::string_view(table) == "promise"))
+            (version < kAcknowledges && std::string_view(table) == "promise"))
             continue;
         Statement check(db, ("PRAGMA quick_check('" + std::string(table) + "')").c_str());
         if (!check.row()) return false;
@@ -88,7 +88,7 @@ bool parameter_fits(const std::string& name, int instance, int element, double n
     return row->type == params::Type::Real || number == std::trunc(number);
 }
 
-// What programs count in variables changes many times a second and tells nobody anything a year
+// What programs count in variables changes many times a second and is of no use to anybody a year
 // later.
 bool worth_history(const Key& key, std::string_view who) {
     if (key.kind == Kind::Setting || key.kind == Kind::Work ||
@@ -186,7 +186,8 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
     if (!transaction.begun()) return parts_->fault(Alarm::StoreWrite);
     Statement parameter(
         db,
-        "INSERT OR REPLACE INTO parameters(name, instance, element, number, text) VALUES(?, ?, ?, ?, ?)");
+        "INSERT OR REPLACE INTO parameters(name, instance, element, number, text) VALUES(?, ?, ?, "
+        "?, ?)");
     Statement history(db, "INSERT INTO history(utc, who, what, old, new) VALUES(?, ?, ?, ?, ?)");
     const std::string utc = utc_now();
     for (const Change& change : changes) {
@@ -233,7 +234,7 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
 
 // Each condition as its index in schema.cpp has it: a value, the parameters and what was entered
 // are found among a million rows without looking at the others. For a part of a text, the newest
-// rows are looked at one by one.
+// rows are read one by one.
 std::string Database::history_query(const HistoryOf& of) {
     std::string sql = "SELECT id, utc, who, what, old, new FROM history";
     // the planner would rather look for all that begins with "tool", and sort it

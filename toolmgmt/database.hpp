@@ -9,7 +9,7 @@
 //   history     when (UTC), who, what, old, new; the newest million
 //   stops       when (UTC) a channel stood, how long, why; the newest hundred thousand
 //   migrations  which versions of this schema the file went through
-//   promise     how many commits were acknowledged, against store.witness (promise/README.md)
+//   promise     how many commits were acknowledged, against store.witness (durability/README.md)
 //
 // A file of an older version is brought up to date inside one transaction; one of a newer version
 // is refused and left as it is. Damage and loss are found when it is opened: then condition() says
@@ -85,7 +85,7 @@ public:
         std::string about = {}, who = {}, before_utc = {};
         std::int64_t before_id = 0, most = 50;
     };
-    // A part of a text has no index: kHistoryLook rows are looked at, and where that was not
+    // A part of a text has no index: kHistoryLook rows are read, and where that was not
     // enough, `more` is the last of them.
     struct History {
         std::vector<Entry> entries;
@@ -96,7 +96,7 @@ public:
     // ?1 about, ?2 and ?3 before, ?4 rows to look at
     static std::string history_query(const HistoryOf& of);
 
-    // A stop of a channel. Its begin and its channel name it: told again, it is
+    // A stop of a channel. Its begin and its channel name it: reported again, it is
     // replaced.
     struct Stop {
         std::string utc;  // of its begin

@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "toolmgmt/database_parts.hpp"
-#include "toolmgmt/promise/inspect.hpp"
+#include "toolmgmt/durability/inspect.hpp"
 #include "toolmgmt/schema.hpp"
 
 namespace polyturn::toolmgmt {
@@ -126,7 +126,7 @@ std::uint64_t digest_of_users(sqlite3* db) {
     return check_sum(all, 1) | 1;
 }
 
-bool Database::Parts::read_promise(bool& had_users) {
+bool Database::Parts::read_acknowledged(bool& had_users) {
     Statement row(db, "SELECT store, commits, users FROM promise WHERE id = 1");
     if (!row.row()) return false;
     store = static_cast<std::uint64_t>(row.whole(0));
@@ -185,7 +185,7 @@ Result<void> Database::Parts::fold() {
     return {};
 }
 
-Result<void> Database::Parts::begin_promise() {
+Result<void> Database::Parts::begin_acknowledging() {
     if (!sync_file(path) || (fs::exists(path + "-wal") && !sync_file(path + "-wal")))
         return fault(Alarm::StoreOpen);
     if (sqlite3_wal_checkpoint_v2(db, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr) !=
@@ -281,10 +281,10 @@ Result<Database> Database::open(const std::string& folder) {
         if (!connect(parts->db, ":memory:")) return parts->open_fault();
         const bool readable = copy_of_damaged(folder, parts->path, parts->db);
         if (!migrate(parts->db)) return parts->open_fault();
-        condition.had_users = !witnessed || found.promised.users != 0;
+        condition.had_users = !witnessed || found.acknowledged.users != 0;
         condition.locked =
-            !witnessed || (found.promised.users != 0 &&
-                           !(readable && digest_of_users(parts->db) == found.promised.users));
+            !witnessed || (found.acknowledged.users != 0 &&
+                           !(readable && digest_of_users(parts->db) == found.acknowledged.users));
         return Database(std::move(parts));
     }
     // What a killed predecessor wrote, and no fsync has covered yet, is on the disk before it is
@@ -302,52 +302,52 @@ Result<Database> Database::open(const std::string& folder) {
         return what.empty() ? parts->open_fault()
                             : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
     // Also an up-to-date file takes the write lock here, so that a second owner is refused at once.
-    bool promised = version >= kPromises;
+    bool acknowledged = version >= kAcknowledges;
     if (!migrate(parts->db) || !run(parts->db, kPrune)) return parts->open_fault();
     parts->sums = std::move(found.sums);
     parts->witness.emplace(folder);
     (void)parts->witness->read();
     sqlite3_wal_hook(parts->db, count_frames, &parts->log_frames);
-    if (!parts->read_promise(condition.had_users)) {
-        promised = false;
-        parts->store = witnessed ? found.promised.store : random_number();
+    if (!parts->read_acknowledged(condition.had_users)) {
+        acknowledged = false;
+        parts->store = witnessed ? found.acknowledged.store : random_number();
     }
     condition.had_users =
-        condition.had_users || (witnessed && found.promised.users != 0) || any_users(parts->db);
+        condition.had_users || (witnessed && found.acknowledged.users != 0) || any_users(parts->db);
     const auto lost = [&](std::string why) {
         condition.unfit = Diagnosis{Alarm::StoreLost, {parts->path, 0, 0, 0}, {}, std::move(why)};
     };
     if (!witnessed) {
         if (found.witness == WitnessFile::State::Damaged)
             lost(std::string(WitnessFile::kName) + " is damaged");
-        else if (promised && parts->commits > 0)
+        else if (acknowledged && parts->commits > 0)
             lost(std::string(WitnessFile::kName) + " is missing");
-    } else if (found.promised.unfit) {
-        lost(found.promised.why.data());
-    } else if (!promised || parts->store != found.promised.store) {
+    } else if (found.acknowledged.unfit) {
+        lost(found.acknowledged.why.data());
+    } else if (!acknowledged || parts->store != found.acknowledged.store) {
         lost(std::string(kFile) + " is not the file that this store had");
-    } else if (parts->commits < found.promised.commits) {
-        lost(std::to_string(found.promised.commits - parts->commits) + " of " +
-             std::to_string(found.promised.commits) + " changes are missing at the end of " +
+    } else if (parts->commits < found.acknowledged.commits) {
+        lost(std::to_string(found.acknowledged.commits - parts->commits) + " of " +
+             std::to_string(found.acknowledged.commits) + " changes are missing at the end of " +
              kFile + "-wal");
-    } else if (parts->commits == found.promised.commits) {
+    } else if (parts->commits == found.acknowledged.commits) {
         Statement row(parts->db, "SELECT stamp FROM promise WHERE id = 1");
-        if (!row.row() || static_cast<std::uint64_t>(row.whole(0)) != found.promised.stamp)
+        if (!row.row() || static_cast<std::uint64_t>(row.whole(0)) != found.acknowledged.stamp)
             lost(std::string(kFile) +
                  " ends with another change than the one that was acknowledged");
     }
     if (condition.unfit) {
-        condition.locked = witnessed ? found.promised.users != 0 &&
-                                           digest_of_users(parts->db) != found.promised.users
+        condition.locked = witnessed ? found.acknowledged.users != 0 &&
+                                           digest_of_users(parts->db) != found.acknowledged.users
                                      : condition.had_users && !any_users(parts->db);
-        if (witnessed) parts->store = found.promised.store;
+        if (witnessed) parts->store = found.acknowledged.store;
     }
     // A new store, one of a version without acknowledgements, one that was killed between its first
     // sums and its first witness.
     parts->folds = found.sums_state == PageSums::State::Good;
     if (!parts->folds || (found.witness == WitnessFile::State::Missing && !condition.unfit))
-        if (Result<void> begun = parts->begin_promise(); !begun) return begun.diagnosis();
-    if (condition.unfit && !(witnessed && found.promised.unfit))
+        if (Result<void> begun = parts->begin_acknowledging(); !begun) return begun.diagnosis();
+    if (condition.unfit && !(witnessed && found.acknowledged.unfit))
         if (Result<void> noted = parts->note_unfit(); !noted) return noted.diagnosis();
     // on the disk it is, in the log
     if (Result<void> folded = parts->fold(); !folded)

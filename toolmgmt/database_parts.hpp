@@ -7,8 +7,8 @@
 #include <string>
 
 #include "toolmgmt/database.hpp"
-#include "toolmgmt/promise/page_sums.hpp"
-#include "toolmgmt/promise/witness.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
+#include "toolmgmt/durability/witness.hpp"
 #include "toolmgmt/statement.hpp"
 
 namespace polyturn::toolmgmt {
@@ -50,12 +50,12 @@ struct Database::Parts {
     // Brings the log into the main file.
     Result<void> fold();
     // The first acknowledgement of a store: sums of all pages, then the witness.
-    Result<void> begin_promise();
-    bool read_promise(bool& had_users);
+    Result<void> begin_acknowledging();
+    bool read_acknowledged(bool& had_users);
     Result<void> note_unfit();
 };
 
-// Are the tables that act whole? `what`: the first fault. The history is looked at when it is read.
+// Are the tables that act whole? `what`: the first fault. The history is checked when it is read.
 bool intact(sqlite3* db, int version, std::string& what);
 // Of all users; never 0.
 std::uint64_t digest_of_users(sqlite3* db);

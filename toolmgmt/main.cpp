@@ -60,7 +60,7 @@ int restore_offline(const Options& options) {
     }
     std::vector<Database::File> files;
     {
-        // Everything is judged before anything is written.
+        // Everything is checked before anything is written.
         auto values = std::make_unique<StoreValues>();
         clear(*values);
         std::vector<Diagnosis> warnings;

@@ -14,7 +14,7 @@ int schema_version(sqlite3* db);
 bool migrate(sqlite3* db);
 int newest_schema_version();
 // from this version on the file counts what it has acknowledged
-inline constexpr int kPromises = 6;
+inline constexpr int kAcknowledges = 6;
 
 // "2026-01-31T12:34:56.789Z"
 std::string utc_now();

@@ -20,7 +20,7 @@
 namespace polyturn::toolmgmt {
 namespace {
 
-constexpr std::uint64_t kMostPerStep = 1024;  // persist requests before somebody else is looked at
+constexpr std::uint64_t kMostPerStep = 1024;  // persist requests before somebody else is served
 constexpr std::chrono::seconds kRetry{1};     // after the disk refused
 // of one request of fixed fields, before it counts as what kills its readers
 constexpr unsigned kMostTries = 5;
@@ -244,7 +244,7 @@ bool Service::take_persist() {
     for (; index < end; ++index) {
         const StoreRequest request = kernel_->persist.slot(index);
         if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) {
-            if (!answer_tool_call(request)) break;  // the kernel has left no room: again later
+            if (!answer_tool_call(request)) break;  // the kernel has left no space: again later
             continue;
         }
         // an operator's, through the kernel
@@ -287,7 +287,7 @@ bool Service::take_persist() {
     changes.insert(changes.end(), passing.begin(), passing.end());
     image_.publish(values_, changes);
     pending_index_ = index;
-    // the image is out: virtual time may go on
+    // The image is out: virtual time may go on.
     // P1, P2: they were read, and what they changed is published
     own.persist_tail.tail.store(index, std::memory_order_release);
     own.bell.ring();
@@ -449,7 +449,7 @@ void Service::answer(const StoreRequest& request, const Result<Applied>& applied
     } else if (!applied->answer.empty()) {
         copy_text(out.text, applied->answer);
     } else if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter) {
-        // Stored, because the other half of the change may be on its way; but a start with it would
+        // Stored, because the other half of the change may be in transit; but a start with it would
         // be refused.
         if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty())
             copy_text(out.text, "stored, but: " + one_line(wrong.front()));

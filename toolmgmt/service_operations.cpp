@@ -10,7 +10,7 @@
 #include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/operations/operation.hpp"
-#include "toolmgmt/operations/upright.hpp"
+#include "toolmgmt/operations/rectangular.hpp"
 #include "toolmgmt/service.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 

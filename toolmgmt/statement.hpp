@@ -34,7 +34,7 @@ public:
     }
     Statement& bind_null(int at) { return note(sqlite3_bind_null(statement_, at)); }
 
-    // True while there is a row. After the last one code() tells whether all went well.
+    // True while there is a row. After the last one code() says whether there was an error.
     bool row() {
         if (code_ == SQLITE_OK || code_ == SQLITE_ROW) code_ = sqlite3_step(statement_);
         return code_ == SQLITE_ROW;

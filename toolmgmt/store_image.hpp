@@ -33,7 +33,7 @@ public:
     // Nobody has rights: others see a user who cannot log in, where an empty list would make
     // everybody a maker.
     void set_locked(bool locked) { locked_ = locked; }
-    // False: the kernel has left no room.
+    // False: the kernel has left no space.
     bool push(const ToolAnswer& answer, std::uint64_t taken);
     StoreSegment& segment() { return *own_; }
 

@@ -233,7 +233,7 @@ private:
     unsigned common_;
 };
 
-// Does an axis of the channel take over the way of another one (N2101 and its fellows)?
+// Does an axis of the channel take over the travel of another one (N2101 and its fellows)?
 bool may_follow(const MachineView& view) {
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const unsigned axis = view.axes[i].machine_axis + 1u;

@@ -16,7 +16,7 @@ bool CheckPort::block_skip(unsigned number) {
 }
 
 void CheckPort::skip_move(const Move& move, const MachineView& view) {
-    double share = 2.0;  // of the way at which the first signal comes
+    double share = 2.0;  // of the travel at which the first signal comes
     for (const text::SensorSetup& sensor : own_->sensors) {
         const int place = view.axis_by_name(sensor.axis);
         if (sensor.input != move.skip_name || place < 0) continue;

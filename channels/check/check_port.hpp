@@ -40,7 +40,7 @@ public:
                    ? Turning::Watched
                    : Turning::Unknown;
     }
-    // A program that has looked at positions which follow an axis of another channel: where they
+    // A program that has read positions which follow an axis of another channel: where they
     // stand is not counted here.
     bool program_alarm_is_sure() override { return alone_ || !follows_ || !looked_; }
     void axes_follow(bool follow) { follows_ = follow; }

@@ -57,7 +57,7 @@ public:
             fmt::format_to(std::back_inserter(out_), "{:.6e}", value);
             return;
         }
-        // Millionths as a whole number: written many times a block, and printf's road is ten times
+        // Millionths as an integer: written many times a block, and printf is ten times
         // as long.
         auto millionths = static_cast<std::int64_t>(std::llround(value * 1e6));
         if (millionths == 0) {

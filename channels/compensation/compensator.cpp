@@ -74,7 +74,7 @@ void Compensator::nose(double radius, Vec tip, bool has_offset, Vec offset_step)
 }
 
 bool Compensator::in_plane(const Move& m) const {
-    constexpr double kSame = 1e-9;  // mm, as Core judges it
+    constexpr double kSame = 1e-9;  // mm, as Core compares it
     if (m.offset_alone) return false;
     return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame ||
            std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;

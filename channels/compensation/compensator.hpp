@@ -6,10 +6,10 @@
 //   -> a is delivered
 //                      calls behind it wait with it                                   b is held
 //
-//   delivered point = programmed point + V + r*e      V offset vector of the nose centre
-//                                                     (corner.hpp)
-//                                                     e direction from the nose centre to the
-//                                                     imaginary tip, r its radius
+//   delivered point = programmed point + V + r*e
+//
+//   V  offset vector of the nose centre (corner.hpp)
+//   e  direction from the nose centre to the imaginary tip, r the radius of the nose
 //
 // Invariants
 //   I1  Calls are delivered in the order in which they came; those that came behind a held block
@@ -40,7 +40,7 @@ public:
         BlockContext at;
     };
 
-    // p, q: places of the plane's axes.
+    // p, q: indices of the plane's axes.
     void open(Sink& out, unsigned p, unsigned q, const Options& options);
     bool closed() const;
     // while off

@@ -136,7 +136,7 @@ CornerResult start_corner(const Element& a, const Element& next, const Options& 
     // a radius that changes with the contour's first element is reached at its end
     Element b = next;
     b.nose = a.nose;
-    Element entry = a;  // the beginning is judged as if it were compensated like the contour
+    Element entry = a;  // the beginning is treated as if it were compensated like the contour
     entry.side = b.side;
     const Turn turn = classify(entry, b);
     CornerResult result;

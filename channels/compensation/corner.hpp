@@ -5,7 +5,8 @@
 //    \  . n1    n2 .   \      n  normals to the nose's side, d directions of travel, r nose radius
 //     \   .     .       \     inner corner    V = the intersection of both equidistants
 //      \    . .     b    \    outer, obtuse   likewise
-//   a   \----P---->       v   outer, acute    Q1 = r*(n1 + d1), Q2 = r*(n2 - d2): each element lengthened by r
+//   a   \----P---->       v   outer, acute    Q1 = r*(n1 + d1), Q2 = r*(n2 - d2):
+//                                            each element lengthened by r
 //
 // The lengthening by exactly r makes the acute rule continuous with the intersection at 90 degrees.
 // Source of all rules: the lathe control's compensation chapter, 3.2 to 3.7, 3.9.

@@ -1,9 +1,9 @@
 // Detects elements that the nose would run backwards between their start and end vectors, and
 // leaves out the inner vectors.
 //
-//   start of the element    V1 V2 V3 V4 | element | V5 V6 V7 V8    its end
-//                                    '-------------'               pairs are judged from the inside outwards:
-//                                 '--------------------'           (V4,V5) (V3,V6) (V2,V7) (V1,V8)
+//   its start   V1 V2 V3 V4 | element | V5 V6 V7 V8   its end
+//                        '-------------'                pairs are checked from the inside outwards:
+//                     '--------------------'            (V4,V5) (V3,V6) (V2,V7) (V1,V8)
 //
 // A pair that interferes is left out on both sides, on one side only where the other has but one
 // left. V1 and the last are never left out: where only they remain and interfere, the contour is

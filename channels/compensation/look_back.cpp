@@ -1,5 +1,7 @@
 #include "channels/compensation/look_back.hpp"
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn::channels::compensation {
 namespace {
 
@@ -27,6 +29,7 @@ void LookBack::move(const Move& m, const BlockContext& at) {
         out_->move(m, at);
         return;
     }
+    PT_ASSERT(pieces_.empty() || pieces_.back().block <= block_, "L1 pieces in their order");
     pieces_.push_back({m, at, block_, {}});
 }
 
@@ -46,6 +49,7 @@ void LookBack::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
 
 void LookBack::let_out() {
     let_out_before(block_ + 1);
+    PT_ASSERT(pieces_.empty(), "L1 all before it has left");
     programmed_.clear();
     open_ = false;
 }

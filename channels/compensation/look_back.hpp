@@ -2,8 +2,9 @@
 // is checked by its vectors (interference.hpp); a hollow of several blocks that is narrower than
 // the nose shows only here (N1404: nct_parameters_part1 15.3).
 //
-//      N    \            / N+3        the nose's path along N and along N+3 crosses itself at X, though what is programmed
-//            \          /             does not: what lies between cannot be cut
+//      N    \            / N+3        the nose's path along N and along N+3 crosses itself at X,
+//            \          /             though the programmed one does not: what lies between cannot
+//             \        /              be cut
 //             '.  X   .'
 //               '. .'                 alarm:   N and all behind it are not driven
 //               .' '.                 correct: N ends at X, N+3 begins there
@@ -14,9 +15,8 @@
 //
 // Invariants
 //   L1  Calls leave in the order in which they came. One that the machine must come to lets out
-//   everything before it; so does
-//       a move that belongs to no contour block (way in and out, axes beside the plane): nothing is
-//       looked for across it.
+//       everything before it; so does a move that belongs to no contour block (approach, retract,
+//       axes outside the plane): no crossing is searched for across it.
 //   L2  With `blocks` 0 nothing is ever held.
 #pragma once
 #include <cstdint>

@@ -191,8 +191,8 @@ double Compensator::path_curvature(const Element& e, double radius) const {
 // A cubic with control points P0 P1 P2 P3. Entering, P3 lies on the contour's equidistant with
 // tangent d and curvature k:
 //   P2 = P3 - h d                    tangential
-//   P1 = P3 - 2h d + 1.5 k h^2 n     n left of d: curvature (2/3) cross(d, P1 - P2) / h^2 = k       (Curved)
-//   P1 = P0 + (2/3)(C - P0)          the parabola P0 C P3 with C on the tangent                     (Smooth)
+//   P1 = P3 - 2h d + 1.5 k h^2 n    n left of d: curvature (2/3) cross(d, P1 - P2)/h^2 = k (Curved)
+//   P1 = P0 + (2/3)(C - P0)         the parabola P0 C P3 with C on the tangent            (Smooth)
 // with h a third of the chord. Leaving is the mirror image (sinumerik_part2 11.2).
 void Compensator::touch(Move& m, Vec dir, double curvature, bool entering) const {
     const Vec from{m.machine_start[p_], m.machine_start[q_]}, to{m.machine[p_], m.machine[q_]};

@@ -55,7 +55,7 @@ inline constexpr TipTable kTipsAround = {
 // The block before the one that ends compensation is shorter than the nose needs in an inner
 // corner: an element before it ends where it meets ... The beginning is the mirror image.
 enum class ShortLast : std::uint8_t {
-    None,       // judged as any other element
+    None,       // treated as any other element
     TravelOut,  // ... the retract: sinumerik G460
     Circle,     // ... the circle about the last programmed point: sinumerik G461
     Line,       // ... the last element, lengthened: sinumerik G462

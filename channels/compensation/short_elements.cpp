@@ -1,11 +1,14 @@
 // Elements that are shorter than the nose needs in an inner corner are left out: the nose's paths
 // before and behind them meet (sinumerik_part2 11.4.2, 11.5).
 //
-//            n |                 p  before_.back(): where it ends is not known yet
-//              | . . .           s  block_: begun at the corner p/s and ended at the corner s/n it would be driven backwards
-//        s ____|  .              n  the block that has come
-//         |     .                   p ends where its equidistant meets that of n, or the arc round the corner s/n; s is not driven.
-//       p |   .                     Where p would be driven backwards then, it is left out in its turn.
+//            n |             p  before_.back(): where it ends is not known yet
+//              | . . .       s  block_: from the corner p/s to the corner s/n it would be driven
+//        s ____|  .             backwards
+//         |     .            n  the block that has come
+//       p |   .
+//
+// So p ends where its equidistant meets that of n, or the arc round the corner s/n; s is not
+// driven. Where p would be driven backwards then, it is left out in its turn.
 //
 // Calls behind an element that is left out are made at that point. The retract, and
 // mirrored the approach, meet an element before the last one as ShortLast says.
@@ -171,7 +174,7 @@ bool Compensator::leave_out_short(const Element& next, CornerResult& corner, Vec
         const Element& p = one.held.element;
         if (one.held.role == Role::Begin) return begin_beyond_short(next, corner, gap);
         count += one.left_out + 1;
-        if (count > options_.leaves_out) return true;  // judged as any other element
+        if (count > options_.leaves_out) return true;  // treated as any other element
         std::optional<Vec> point;
         if (round) {
             Element way =

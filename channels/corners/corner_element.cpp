@@ -57,7 +57,7 @@ void touch(const Element& e, Vec m, bool at_end, Vec& point, double& cut) {
     // from the corner to the touch
     double angle = std::atan2(cross(to_corner, to_touch), dot(to_corner, to_touch));
     if ((e.sweep > 0) == at_end) angle = -angle;
-    // behind the corner only: the long way round
+    // behind the corner only: in the longer direction
     if (angle < 0 && angle * radius < -kFit) angle += kTurn;
     cut = angle * radius;
 }
@@ -88,7 +88,7 @@ Fit tangential(Vec far, Vec corner_point, Vec d, double radius, bool forward, Co
     if (way < 2 * radius - kFit) return Fit::TooLarge;
     // on the tangent itself: no circle leads there
     if (std::fabs(aside) < kFit * way) return Fit::TooLarge;
-    const double left = aside > 0 ? 1.0 : -1.0;  // the circle turns that way
+    const double left = aside > 0 ? 1.0 : -1.0;  // the circle turns in that direction
     corner.arc = true;
     corner.centre = corner_point + (left * radius) * left_of(d);
     const Vec out = far - corner.centre;

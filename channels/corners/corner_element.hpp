@@ -11,9 +11,8 @@
 // Leg        cut_a = cut_b = size, measured along the elements
 // Length     |FT| = size with cut_a = cut_b; two lines that turn by d: cut = size / (2 cos(d/2))
 // Entry      a, a line, leaves its own way: it goes tangentially onto a circle that touches b where
-//            b begins (T = C). Its centre
-//            lies on the side of a's start; at least twice the radius lies between start and corner
-//            (fagor 6.7)
+//            b begins (T = C). Its centre lies on the side of a's start; at least twice the radius
+//            lies between start and corner (fagor 6.7)
 // Exit       the mirror image: the circle touches a where a ends (F = C), b, a line, leaves it
 //            tangentially (fagor 6.8)
 #pragma once

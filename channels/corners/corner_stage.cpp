@@ -7,7 +7,7 @@ namespace polyturn::channels::corners {
 namespace {
 
 constexpr double kStands = 1e-7;  // mm: nothing is left of a move
-constexpr double kSame = 1e-9;    // as Core judges it
+constexpr double kSame = 1e-9;    // as Core compares it
 
 // Axes outside the plane keep their share of the travel: `share` of it from the start is kept, or
 // comes first and is left out.
@@ -193,7 +193,7 @@ void CornerStage::pass_waiting() {
     while (!calls.empty()) calls.pass_on(*down_);
 }
 
-// The move whose end the next line had to tell is never made.
+// The move whose end the next line had to define is never made.
 bool CornerStage::lose() {
     if (!reserved_ || lost_ == Alarm{}) return false;
     held_.at = lost_at_;

@@ -38,7 +38,7 @@ struct Contour {
     Point end() const { return elements.empty() ? first : elements.back().to; }
 };
 
-// Stands in the sink's place while the blocks are interpreted: keeps moves, swallows everything
+// Replaces the sink while the blocks are interpreted: keeps moves, swallows everything
 // else.
 class ContourRecorder final : public Sink {
 public:

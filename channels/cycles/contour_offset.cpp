@@ -106,7 +106,7 @@ std::vector<Element> raw_pieces(const Contour& contour, double distance, int sid
                 const auto meeting = comp::meeting_point(*a, b);
                 if (const Vec corner = a->end + meeting.value_or(Vec{});
                     meeting && comp::on_nose_path(*a, corner) && comp::on_nose_path(b, corner)) {
-                    // Between two inner corners that need more room than it has, the element is
+                    // Between two inner corners that need more length than it has, the element is
                     // turned round: it disappears.
                     if (comp::way_to(*a, corner) >
                         comp::way_to(*a, vec(out.back().from)) + kShortest)
@@ -244,7 +244,7 @@ Contour without_end_beyond(const Contour& contour, bool in_x, double sign, doubl
         const Element last = out.elements.back();
         out.elements.pop_back();
         if (beyond(last.from)) continue;
-        double low = 0.0, high = length_of(last);  // the way at which it comes to the bound
+        double low = 0.0, high = length_of(last);  // the travel at which it reaches the limit
         for (int k = 0; k < 60; ++k) {
             const double middle = (low + high) / 2;
             (over(point(at_way(last, middle))) > 0 ? high : low) = middle;

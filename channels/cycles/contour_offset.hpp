@@ -6,9 +6,8 @@
 namespace polyturn::channels::cycles {
 
 // `side` +1: left of the way, -1: right of it. Outer corners become arcs about them; what would
-// come nearer to another part of
-// the contour is left out, so nothing may be left (no elements). The contour's start (the call
-// point) stays.
+// come nearer to another part of the contour is left out, so nothing may be left (no elements). The
+// contour's start (the call point) stays.
 Contour equidistant(const Contour& contour, double distance, int side);
 Contour translated(const Contour& contour, Point by);
 // Without what lies, from the end backwards, beyond `most` (sign * X or Z); perhaps no elements are

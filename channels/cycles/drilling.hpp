@@ -2,7 +2,7 @@
 //
 //   initial level  ---.                 . return (or at the R level)
 //                     | rapid           :
-//   R level        ---+--.  rapid back after each peck (full), or a short way up (chip break)
+//   R level        ---+--.  rapid back after each peck (full), or a short distance up (chip break)
 //                     |  :
 //   bottom         ---v  : dwell
 #pragma once
@@ -11,10 +11,10 @@
 namespace polyturn::channels::cycles {
 
 struct Drilling {
-    unsigned axis = 0;                                  // place of the drilling axis
+    unsigned axis = 0;                                  // index of the drilling axis
     double initial = 0.0, r_level = 0.0, bottom = 0.0;  // workpiece system, true mm
     double peck = 0.0;                                  // depth of one peck; 0: in one go
-    double clearance = 0.0;   // above the last depth (full), or the way up (chip break)
+    double clearance = 0.0;   // above the last depth (full), or the distance up (chip break)
     bool chip_break = false;  // stay in the hole between pecks
     bool dwells = false;
     double dwell = 0.0;  // seconds, or revolutions
@@ -50,9 +50,12 @@ struct Drilling {
 // A hole on the turning axis with depths counted from the surface (fagor G83): the approach point
 // lies in front of it.
 //
-//   approach ---.  G00 from the call point          peck k: `peck` * factor^(k-1), not below `least`; behind each the tool
-//   surface  ---+--   the first cut begins here     goes back by `retract` (0: to the approach point), then in rapid to
-//   bottom   ---v                                   `clearance` before the last depth
+//   approach ---.  G00 from the call point
+//   surface  ---+--   the first cut begins here
+//   bottom   ---v
+//
+// Peck k: `peck` * factor^(k-1), not below `least`. After each the tool goes back by `retract` (0:
+// to the approach point), then in rapid to `clearance` before the last depth.
 struct AxialHole {
     AxisValues approach{};  // point
     unsigned axis = 0;

@@ -5,7 +5,7 @@
 //            . <- - - - . <- - - - .
 //            |          |          |  feed `peck`, back `retract` in rapid, again ...
 //            v          v          v
-//            '-> - - - -'-> - - - -'->    at the bottom `relief` aside, then rapid back to the level of A
+//            '-> - - - -'-> - - - -'->    at the bottom `relief` aside, then rapid to A's level
 //
 // The last peck ends exactly on the bottom, the last row exactly at the programmed end.
 #pragma once
@@ -32,8 +32,8 @@ bool cut_grooves(Core& core, const Grooving& cycle);
 // A groove as wide as its two points, plunged side by side with a cutter of some width (fagor G88,
 // G89).
 //
-//   start ---.      .--- call point          steps of equal size, not above `step`; the last plunge ends on the far side
-//            |  |  |
+//   start ---.      .--- call point          steps of equal size, not above `step`;
+//            |  |  |                         the last plunge ends on the far side
 //            '--+--+-- end
 //
 // The first plunge is at the start with the cutter's corner that is there; where the tool's point

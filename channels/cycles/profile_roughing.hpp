@@ -2,11 +2,15 @@
 // X); and G66, which cuts the profile itself several times. Once for every language.
 //
 //    h ^  - - - - - - - - - - - - - - - call point
-//      |      <-------------- level 1          Main passes come from the call point's side and end at the profile with its
-//      |  .-. <-------------- level 2          allowance. What lies lower behind a rise (a hollow) is cut afterwards: down
-//      | /   \     .--------- level 3          along the contour, across, out again; hollows within hollows likewise.
-//      |/     '._.'                            Last level: the lowest point of the profile.
+//      |      <-------------- level 1
+//      |  .-. <-------------- level 2
+//      | /   \     .--------- level 3
+//      |/     '._.'
 //      +--------------------------> s
+//
+// Main passes come from the call point's side and end at the profile with its allowance. What lies
+// lower behind a rise (a hollow) is cut afterwards: down along the contour, across, out again;
+// hollows within hollows likewise. Last level: the lowest point of the profile.
 #pragma once
 #include "channels/cycles/contour.hpp"
 #include "channels/cycles/section.hpp"

@@ -2,11 +2,14 @@
 // language.
 //
 //   h ^   end - - - - - - - - - - - - - - call point      h  height, towards the call point
-//     |     \   <-------------- level 1   .               s  along the passes, away from the call point
+//     |     \   <-------------- level 1   .               s  along the passes
 //     |      \    <------------ level 2   .
-//     |       '--. <----------- level 3   .               all passes alike and not deeper than `most`; each is cut up to
-//     |           start                   .               the section with its allowance, then the tool goes back
+//     |       '--. <----------- level 3   .
+//     |           start                   .
 //     +---------------------------------> s (towards the call point)
+//
+// All passes are equal and not deeper than `most`; each is cut up to the section with its
+// allowance, then the tool goes back.
 #pragma once
 #include "channels/cycles/contour.hpp"
 #include "channels/state/core.hpp"

@@ -1,10 +1,10 @@
 // The cycles of four moves: turning, facing and threading pass, each from the start point and back
 // to it.
 //
-//   turning (fanuc G90, nct G77)       facing (G94, G79)            thread (G92, G78)
-//      4 <- - - - - - start             1 <- - - start              as turning, move 2 follows the spindle
-//      ^            1 :                 |2        : 4 rapid         and may end with a chamfer at an angle
-//     3|______________v                 v_________:
+//   turning (fanuc G90, nct G77)       facing (G94, G79)          thread (G92, G78)
+//      4 <- - - - - - start             1 <- - - start            as turning; move 2 follows the
+//      ^            1 :                 |2        : 4 rapid       spindle and may end with a
+//     3|______________v                 v_________:               chamfer at an angle
 //            2 feed                        3 feed
 #pragma once
 #include "channels/state/core.hpp"

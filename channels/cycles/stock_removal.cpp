@@ -118,7 +118,8 @@ bool Roughing::finish() {
     const Level first = profile_->first();
     if (cycle_->pockets && here_.h < start_.h && !to({here_.s, start_.h}, true)) return false;
     if (!to({first.s, here_.h}, true)) return false;
-    // Stock may still stand above the first point of a contour with pockets: the last part is cut.
+    // Stock may still be left above the first point of a contour with pockets: the last part is
+    // cut.
     if (cycle_->pockets && contour_->approach_rapid &&
         !to({first.s, std::fmax(first.h, open_height_)}, true))
         return false;

@@ -6,20 +6,22 @@
 //      |  <---- rapid, escape above the level  |          |   level 1
 //      |  B---. / - - - - - - - - - - - - - - -|        B-. .----.   .------.
 //      |      |/<------------------- level 1   |           v      '.'        '.
-//      |       '-. / - - - - - - - - - - - - - |           '-.____.' '._______.'   down along the contour, level, up along it
+//      |       '-. / - - - - - - - - - - - - - |           '-.____.' '._______.'
 //      |          '<---------------- level 2   |
-//      |            '-----.  then once along   |        Every pocket is cut down to its floor before the next begins.
-//      |                   '-- the contour -- A'
+//      |            '-----.  then once along   |        down along the contour, level, up along it;
+//      |                   '-- the contour -- A'        each pocket to its floor before the next
 //      s <--------------------------------------
 //
 // s is the roughing direction (G71: Z, G72: X), h the height above the contour, measured towards A.
 //
 // Invariants
 //   I1  No cut goes below the contour shifted by the allowance; after the last pass along it,
-//   nothing more is left. I2  Rapid traverse stays above what the passes before have removed.
+//       nothing more is left.
+//   I2  Rapid traverse stays above what the passes before have removed.
 //   I3  The number of passes is bounded before the first move: by kMostPasses, or an alarm says
-//   which word is wrong. I4  A level exactly on a stretch of the contour cuts along this stretch; a
-//   level on its lowest point is the last pass.
+//       which word is wrong.
+//   I4  A level exactly on a stretch of the contour cuts along this stretch; a level on its lowest
+//       point is the last pass.
 #pragma once
 #include "channels/cycles/contour.hpp"
 #include "channels/state/core.hpp"
@@ -34,7 +36,7 @@ struct StockRemoval {
     bool first_pocket_first = true;
     double depth = 0.0;       // of one pass, mm, towards the contour
     char depth_letter = 'U';  // to point at when it is illegal
-    double escape = 0.0;      // mm, both ways
+    double escape = 0.0;      // mm, in both directions
     Point allowance;          // what finishing finds; signed
     // how far the contour may run back, mm
     double roughing_tolerance = 0.0, cutting_tolerance = 0.0;

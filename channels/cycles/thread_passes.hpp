@@ -1,9 +1,9 @@
 // Threading in several passes: fanuc G76. Once for every language.
 //
 //          A <- - - - - - - - - - - - - - .
-//          |  start of pass k moves by     :            depth of pass k:  first * sqrt(k), each step at least
-//          |  depth * tan(angle / 2)       :            `least`; until height - allowance, then `finishing`
-//          v                               :            passes at the full height
+//          |  start of pass k moves by     :      depth of pass k: first * sqrt(k), each step at
+//          |  depth * tan(angle / 2)       :      least `least`; until height - allowance, then
+//          v                               :      `finishing` passes at the full height
 //      ----*------- k = 1 ------------.    : back
 //     ------*------ k = 2 -------------'.  :
 //     -------*----- k = 3 ---------------'.:  run-out: leaves the thread at an angle over `chamfer`

@@ -2,8 +2,8 @@
 // language.
 //
 //      approach . - - - - - - - - - - - .  safety above the section
-//      start ---+-----------------------+--- end            h  depth, away from the part (G86: X, G87: Z)
-//               \______ pass k _______./ exit               s  along the thread (G86: Z, G87: X)
+//      start ---+-----------------------+--- end     h  depth, away from the part (G86: X, G87: Z)
+//               \______ pass k _______./ exit        s  along the thread (G86: Z, G87: X)
 //
 // Depth of pass n: first * sqrt(n), each step at least `least` (first > 0), or n * |first| (first <
 // 0); what would go beyond depth - allowance ends there. Then the finishing pass at the full depth.

@@ -8,7 +8,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kStep = 0.02;  // mm of an arc that is judged as straight
+constexpr double kStep = 0.02;  // mm of an arc that is taken for straight
 constexpr double kSameTool = 1e-7;
 
 constexpr std::size_t kNoArc = ~std::size_t{0};
@@ -18,7 +18,7 @@ struct Way {
     std::size_t arc = kNoArc;  // element of the contour, where the way is a chord of it
 };
 
-// An arc is judged by its chords; where nothing closes it, it stays the arc that it was.
+// An arc is checked by its chords; where nothing closes it, it stays the arc that it was.
 struct Chain {
     std::vector<Level> points;
     std::vector<Way> ways;  // that end in the points
@@ -36,7 +36,7 @@ struct Chain {
     }
 };
 
-// Closes what falls more steeply than `slope` (height for each mm of way), in the order of s.
+// Closes what falls more steeply than `slope` (height for each mm of travel), in the order of s.
 bool close(Chain& chain, double slope) {
     Chain out;
     bool changed = false;

@@ -1,6 +1,6 @@
-// What an interpreter remembers of the block under way: the same for all languages. A block is read,
-// comes to a barrier, is read again behind it, and ends; between two blocks only `serial`, `fresh`
-// and `ended` hold.
+// What an interpreter remembers of the block under way, for all languages. A block is read, comes
+// to a barrier, is read again behind it, and ends; between two blocks only `serial`, `fresh` and
+// `ended` hold.
 #pragma once
 #include <cstdint>
 
@@ -11,7 +11,7 @@ struct BlockRun {
     std::uint64_t tool_serial = 0;  // of the block whose T was executed before the rest of it
     bool reread = false;            // a barrier came before the block: it is read again behind it
     bool fresh = false;             // live values are those of the barrier just passed
-    bool wants_barrier = false;     // the block is done, and what it has commanded is executed first
+    bool wants_barrier = false;     // the block is done; what it commanded is executed first
     bool jumped = false, called = false;  // the next block is not the next one of the text
     bool ended = false;                   // the program is over: by its end, or by a fault
     // resume states: kept at all; the one kept last does not hold any more

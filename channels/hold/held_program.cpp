@@ -4,7 +4,8 @@
 //   kernel                                   channel
 //   AskResume (block, part) ------------>    are there new values, and can the block be read again?
 //           <----------- answer ---------
-//   epoch raised, Resume (block, part) -->   state before the block, offsets as they are now, ResumeSink leaves out what is done
+//   epoch raised, Resume (block, part) -->   state before the block, offsets as they are now;
+//                                            ResumeSink leaves out what is done
 #include <cstring>
 
 #include "channels/process/channel_process.hpp"
@@ -28,7 +29,7 @@ void ChannelProcess::restart(const ChannelEvent& event) {
     begin_program();
 }
 
-// Drives of the channel's axes, by their places.
+// Drives of the channel's axes, by axis index.
 AxisValues ChannelProcess::axes_now() {
     AxisValues out{};
     for (unsigned i = 0; i < view_->axis_count; ++i)

@@ -5,12 +5,10 @@
 //   before the block   moves, dwells, messages: nothing happens. M, S, T and spindle modes: the
 //                      last of each kind is kept.
 //                      Variables and offsets are written. Waits for channels that restart too are
-//                      replayed by the kernel;
-//                      the others count as met.
+//                      replayed by the kernel; the others count as met.
 //   at the block       message with everything that is to come, a stop (StopReason::Restart), then
-//                      T, M, S, then the axes in
-//                      the order of PT_RESTART_ORDER to where the block begins. From there on the
-//                      program is as ever.
+//                      T, M, S, then the axes in the order of PT_RESTART_ORDER to where the block
+//                      begins. From there on the program is as ever.
 //
 // M codes of one group (N1341 to N1372; M3 M4 M5 M19; M7 M8 M9) exclude each other, so only the
 // last one counts; of the others the last of each number, in the order of the program. N1338 M06: a

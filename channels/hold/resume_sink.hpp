@@ -6,9 +6,10 @@
 // on from the axes' position:
 //
 //   before   A------------P- - - - - - >B         P  held
-//   now      A'- - - - - -Q------------>B'        Q  the point of the new path nearest to P; P to Q is a move at the feed of
-//                         ^                          the block (a rapid goes from P to B' at once)
-//                         P
+//   now      A'- - - - - -Q------------>B'        Q  the point of the new path nearest to P
+//                         ^
+//                         P                       P to Q is a move at the feed of the block
+//                                                 (a rapid goes from P to B' at once)
 //
 // Invariant: a part that has not begun is driven whole, from its new beginning on.
 #pragma once

@@ -273,7 +273,7 @@ Junction make_blend(const PathRecord& a, double room_before, const PathRecord& b
         c.bend_ratio = c.angle / size;
     }
 
-    // The longest trim within tolerance and room.
+    // The longest trim within tolerance and the space there is.
     const double tolerance = kFirstTrial * limits.tolerance;
     double trim = std::min(room_before, room_after);
     const double apart = std::max(size, side_step) * c.offset_ratio / c.trim_ratio;

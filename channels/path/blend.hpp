@@ -1,11 +1,11 @@
 // The smooth transition from one move into the next: it replaces a corner, so that velocity and
 // acceleration stay continuous.
 //
-//     A ------------.  C            d   trim: the blend begins d before the corner and ends d behind it
-//        begins ^    '. ^           w   deviation: from the corner to the blend's middle, <= tolerance
-//                  w   \            l   length of each half
-//                       |
-//                       v B
+//     A ------------.  C            d   trim: the blend begins d before the corner and ends d
+//        begins ^    '. ^               behind it
+//                  w   \            w   deviation: from the corner to the blend's middle,
+//                       |               <= tolerance
+//                       v B         l   length of each half
 //
 // At both ends position, tangent and curvature are those of the neighbours (a line has curvature
 // 0), in the middle the two halves meet likewise; each half is a quintic per axis.
@@ -13,7 +13,7 @@
 // Between two lines with the turn T each half is a clothoid: driven at constant speed the direction
 // turns with constant angular acceleration, the least jerk for a given deviation. With h = T/2, for
 // l = 1:
-//     X = sum (-h^2)^n / ((2n)! (4n+1))            along A                                        (1)
+//     X = sum (-h^2)^n / ((2n)! (4n+1))            along A                                      (1)
 //     Y = sum h (-h^2)^n / ((2n+1)! (4n+3))        across
 //     d = X + Y tan h,   w = Y / cos h,   curvature in the middle T
 // A quintic through the ends of a half with their tangents and curvatures differs from the clothoid
@@ -22,15 +22,14 @@
 // would have in the middle (it is linear in them).
 //
 // Right     Ends and middle meet by construction (Hermite); the deviation is measured against the
-//           programmed path at the same
-//           distance from the corner, which is never less than the distance to the path. Tested in
-//           blend_test.cpp.
+//           programmed path at the same distance from the corner, which is never less than the
+//           distance to the path. Tested in blend_test.cpp.
 // Cost      closed form between lines; with arcs up to six trials for the trim.
 // Weakness  both trims are equal, so a short neighbour makes a small blend; the jerk at a
-// tangential line-arc junction is
-//           2.25 times that of a transition curve that may shift the arc.
+//           tangential line-arc junction is 2.25 times that of a transition curve that may shift
+//           the arc.
 #pragma once
-#include "channels/path/ceilings.hpp"
+#include "channels/path/record_limits.hpp"
 
 namespace polyturn::channels {
 

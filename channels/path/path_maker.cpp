@@ -63,13 +63,13 @@ void fill_piece(const Blend& blend, const BlendPiece& piece, PathRecord& r) {
 }
 
 // No faster than feed override (200 %) can ask for: a blend for more would gain nothing.
-double useful_speed(const PathRecord& r, double ceiling) {
+double useful_speed(const PathRecord& r, double v_max) {
     constexpr double kMostOverride = 2;
     const bool per_minute =
         static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && !has(r, kRapid) && r.feed > 0;
     return per_minute && static_cast<RecordKind>(r.kind) != RecordKind::Line
-               ? std::min(ceiling, kMostOverride * r.feed)
-               : ceiling;
+               ? std::min(v_max, kMostOverride * r.feed)
+               : v_max;
 }
 
 // rad: below this turn a blend is always worth it.
@@ -99,11 +99,11 @@ void PathMaker::add_move() {
         next.move.flags |= kExactStop | kInPosition;
     if (chain_.empty()) {
         next.move.flags &= ~std::uint32_t{kThreadChained};  // nothing to go on from
-        next.ceilings = ceilings_of(next.move, *limits_);
+        next.record_limits = record_limits_of(next.move, *limits_);
         chain_.push_back(next);
     } else {
         const bool runs = may_run(chain_.back().move, next.move);
-        next.ceilings = ceilings_of(next.move, *limits_);
+        next.record_limits = record_limits_of(next.move, *limits_);
         if (runs) {
             chain_.push_back(next);
             run_on();
@@ -193,28 +193,28 @@ double PathMaker::wanted_speed(const PathRecord& r) const {
 // share of rapid traverse.
 double PathMaker::overlap_way(const Kept& of) const {
     constexpr double kStill = 1e-9;  // of the path: an axis that does less does not move
-    double speed = of.ceilings.v;
+    double speed = of.record_limits.v;
     for (std::size_t k = 0; k < of.move.axis_count; ++k) {
         const double t = std::abs(of.move.end[k] - of.move.start[k]) / of.move.length;
         const PathAxis& axis = limits_->axis[of.move.axis[k]];
         if (t > kStill) speed = std::min(speed, axis.overlap * axis.rapid / t);
     }
-    const double a = of.ceilings.a, j = of.ceilings.j;
+    const double a = of.record_limits.a, j = of.record_limits.j;
     const double time = speed < a * a / j ? 2 * std::sqrt(speed / j) : speed / a + a / j;
     return 0.5 * speed * time;
 }
 
 void PathMaker::join(Kept& a, Kept& b) {
     constexpr double kNoRule = std::numeric_limits<double>::infinity();
-    Ceilings rules{kNoRule, kNoRule, kNoRule};
+    RecordLimits rules{kNoRule, kNoRule, kNoRule};
     Junction junction = Junction::Stop;
     const bool overlap = has(a.move, kRapid) && has(b.move, kRapid);
     const bool threads =
         has(a.move, kThread) && has(b.move, kThread) && has(b.move, kThreadChained);
     if (!must_stop(a.move, b.move)) {
         double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
-        const double speed =
-            std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
+        const double speed = std::min(useful_speed(a.move, a.record_limits.v),
+                                      useful_speed(b.move, b.record_limits.v));
         if (threads) {
             junction = blend_threads(a, b, speed, rules.v);
         } else if (overlap) {  // they overlap: rounded as far as their braking lets them
@@ -259,7 +259,7 @@ void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
         r = of.move;
     else
         cut(of.move, of.from, to, r);
-    store(of.ceilings, r);
+    store(of.record_limits, r);
     if (!of.begun) r.flags |= begin_flag(r);
     of.begun = true;
     if (last) r.flags |= end_flag(r);
@@ -279,7 +279,7 @@ double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
     for (std::size_t n = 0; n < blend_.count; ++n) {
         r.flags = (n < blend_.first_half ? a : b).move.flags;
         fill_piece(blend_, blend_.piece[n], r);
-        through = std::min(through, ceilings_of(r, *limits_).v);
+        through = std::min(through, record_limits_of(r, *limits_).v);
         length += r.length;
     }
     return through;
@@ -288,7 +288,7 @@ double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
 // A thread stops nowhere, so between two that are joined there is a blend at any tolerance, also 0.
 // Where the tolerance leaves the corner too slow for the spindle, the blend becomes as long as its
 // speed needs: with a margin, for what the bend takes of the axes there is missing where the
-// thread begins and ends (ceilings.hpp). `most`: how fast it is driven at most.
+// thread begins and ends (record_limits.hpp). `most`: how fast it is driven at most.
 Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, double& most) {
     constexpr double kSpare = 1.6, kOvershoot = 1.2;  // a spindle swings about its speed
     const double turning = std::max(wanted_speed(a.move), wanted_speed(b.move));
@@ -312,7 +312,7 @@ Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, do
 // Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking
 // from V to w in time T takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a
 // blend also its own length at its own speed.
-bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
+bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const RecordLimits& rules) {
     // The speed to be reached is found by steps of a fifth, near enough to compare two times; 60 of
     // them are six decades.
     constexpr double kDown = 0.8;
@@ -321,7 +321,7 @@ bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rul
     const double through = std::min(rules.v, through_blend(a, b, length));
     double by_stop = 0, by_blend = 0;
     for (const Kept* side : {&a, &b}) {
-        const Ceilings& c = side->ceilings;
+        const RecordLimits& c = side->record_limits;
         const auto time = [&](double step) {
             return step < c.a * c.a / c.j ? 2 * std::sqrt(step / c.j) : step / c.a + c.a / c.j;
         };
@@ -338,7 +338,7 @@ bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rul
 }
 
 void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end,
-                           const Ceilings& rules, bool last) {
+                           const RecordLimits& rules, bool last) {
     for (std::size_t n = first; n < end; ++n) {
         PathRecord& r = out_->claim();
         r = of.move;
@@ -349,7 +349,7 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         fill_piece(blend, blend.piece[n], r);
         for (std::size_t k = 0; k < r.axis_count; ++k) r.nose[k] = nose_of(of.move, r.axis[k]);
         if (has(r, kThread) && std::isfinite(rules.v)) r.feed = rules.v;
-        Ceilings own = ceilings_of(r, *limits_);
+        RecordLimits own = record_limits_of(r, *limits_);
         r.feed = of.move.feed;
         own.v = std::min(own.v, rules.v);
         own.soften(rules.a);

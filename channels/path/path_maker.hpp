@@ -2,14 +2,19 @@
 // its limits.
 //
 //   programmed   |----------A----------|----------B----------|
-//   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs to A, the second to B
+//   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs
+//                                                                   to A, the second to B
 //
 // Invariants
 //   I1  Consecutive records of one path meet in position, tangent and curvature, or the earlier one
-//   has kExactStop. I2  Each block that moves has exactly one record with kBlockBegin and one, the
-//   same or a later one, with kBlockEnd. I3  One move is kept back, of a smooth run of short lines
-//   (spline_run.hpp) some dozens; all go out before flush() returns. I4  What is not motion leaves
-//   in its place: between the last record of the move before and the first of the next.
+//       has kExactStop.
+//   I2  Each block that moves has exactly one record with kBlockBegin and one, the same or a later
+//       one, with kBlockEnd.
+//   I3  One move is kept back, of a smooth run of short lines (spline_run.hpp) some dozens; all go
+//       out before flush() returns.
+//   I4  What is not motion leaves in its order: between the last record of the move before and the
+//       first of the next.
+//
 // A stop instead of a blend: where it is faster (a sharp corner within 5 um is passed at about 1
 // mm/s), asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes
 // in the corner, one side measured in degrees and the other in millimetres, a rapid move on either
@@ -62,11 +67,11 @@ public:
 
 private:
     struct Kept {
-        PathRecord move;           // as programmed
-        Ceilings ceilings;         // of the whole move
-        double from = 0;           // path before it is already out
-        bool begun = false;        // so is its kBlockBegin
-        std::uint64_t number = 0;  // counts moves
+        PathRecord move;             // as programmed
+        RecordLimits record_limits;  // of the whole move
+        double from = 0;             // path before it is already out
+        bool begun = false;          // so is its kBlockBegin
+        std::uint64_t number = 0;    // counts moves
     };
     struct Between {  // not motion, behind the move of that number
         std::uint64_t number;
@@ -76,13 +81,13 @@ private:
     void join(Kept& a, Kept& b);
     bool must_stop(const PathRecord& a, const PathRecord& b) const;
     double overlap_way(const Kept& of) const;
-    bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
+    bool stop_is_faster(const Kept& a, const Kept& b, const RecordLimits& rules);
     double through_blend(const Kept& a, const Kept& b, double& length);
     double wanted_speed(const PathRecord& r) const;
     Junction blend_threads(const Kept& a, const Kept& b, double speed, double& most);
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end,
-                    const Ceilings& rules, bool last);
+                    const RecordLimits& rules, bool last);
     void put_between(std::uint64_t up_to);
     double nose_of(const PathRecord& move, std::uint8_t axis) const;
     bool may_run(const PathRecord& a, PathRecord& b);

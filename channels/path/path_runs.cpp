@@ -2,7 +2,8 @@
 //
 //   chain_     [ line 0 | line 1 | line 2 | ... | newest ]
 //   corners          v0       v1       v2                     all of a smooth curve
-//   out               M~~~~~~~~~~~~~~~                        line 0 up to M as a line, then pieces of the spline
+//   out               M~~~~~~~~~~~~~~~                        line 0 up to M as a line, then pieces
+//                                                             of the spline
 #include <algorithm>
 
 #include "channels/path/path_maker.hpp"
@@ -130,9 +131,9 @@ void PathMaker::put_run() {
         }
         for (std::size_t c = 0; c < 6; ++c)
             r.shape[curve_shape::kParameter + c] = piece.curve.parameter[c];
-        Ceilings ceilings = ceilings_of(r, *limits_);
-        apply_turn_rules(r, piece.turn, *limits_, ceilings);
-        store(ceilings, r);
+        RecordLimits record_limits = record_limits_of(r, *limits_);
+        apply_turn_rules(r, piece.turn, *limits_, record_limits);
+        store(record_limits, r);
         out_->commit();
         if (piece.last_of_line) put_between(number);
     }

@@ -25,11 +25,10 @@
 // Window   as far as C limits the programmed feed at all, so that elsewhere the feed is what it is;
 //          never beyond the line.
 // Right    Points of the line stay points of the line: only the parameter of x changes. x(s) is a
-//          quintic in each piece that has the
-//          true dx/ds and d2x/ds2 at both ends; the ceilings are taken from the quintic
-//          (ceilings_behind), not from this formula.
-//          dx/ds <= 1, and a piece's feed is raised by no more than its largest dx/ds allows: the
-//          programmed feed is never exceeded.
+//          quintic in each piece that has the true dx/ds and d2x/ds2 at both ends; the limits are
+//          taken from the quintic (record_limits_behind), not from this formula. dx/ds <= 1, and a
+//          piece's feed is raised by no more than its largest dx/ds allows: the programmed feed is
+//          never exceeded.
 #pragma once
 #include "channels/path/path_limits.hpp"
 #include "ipc/kinematics/polar.hpp"

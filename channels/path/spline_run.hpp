@@ -2,7 +2,8 @@
 // within tolerance.
 //
 //   programmed  ----A----o-o--o-o-o--o-----B-----        o vertices of short lines
-//   curve            M===c====c======c==M'               c control points of a cubic B-spline, M and M' on A and B
+//   curve            M===c====c======c==M'               c control points of a cubic B-spline,
+//                                                        M and M' on A and B
 //
 // Why: blends that fit into short lines have no curvature where they meet, so it swings between 0
 // and twice its mean, and with 0.1 mm lines jerk allows a few percent of the speed that the curve
@@ -11,28 +12,24 @@
 //
 // Given    vertices P, tolerance e
 // Choose   knots among the vertices, greedily: what lies between two of them leaves their chord by
-//          at most kSkipShare e,
-//          and the curve leaves a knot by at most kTurnShare e (2). Knot intervals h are the chord
-//          lengths, so
-//          the speed over the parameter is nearly even.
+//          at most kSkipShare e, and the curve leaves a knot by at most kTurnShare e (2). Knot
+//          intervals h are the chord lengths, so the speed over the parameter is nearly even.
 // Control  the blossom of the parabola through a knot P and its neighbours, which keeps quadratic
-// motion exact, whatever the
-//          intervals: with its slope and half its bend, q1 and q2, over the chord lengths,
-//              Q = P + q1 (h+ - h-)/3 - q2 h- h+ / 3                                                                       (1)
-//          The curve then leaves P by a sixth to a third of d = q2 h- h+ / 3:  A d- - (A + C) d + C
-//          d+  (uniform: A = C = 1/6)  (2)
+//          motion exact, whatever the intervals: with its slope and half its bend, q1 and q2, over
+//          the chord lengths,
+//              Q = P + q1 (h+ - h-)/3 - q2 h- h+ / 3                                            (1)
+//          The curve then leaves P by a sixth to a third of d = q2 h- h+ / 3:
+//              A d- - (A + C) d + C d+   (uniform: A = C = 1/6)                                 (2)
 // Ends     M lies on the line before, M' on the line behind; a mirrored control point beyond each
-//          makes the curve begin and
-//          end there exactly, tangent to the line and without curvature, so what is before and
-//          behind needs no more. The
-//          first and the last vertex are knots, their control points stay on the outer lines.
+//          makes the curve begin and end there exactly, tangent to the line and without curvature,
+//          so what is before and behind needs no more. The first and the last vertex are knots,
+//          their control points stay on the outer lines.
 // Pieces   each programmed block keeps its own records: the curve is cut where the path passes its
 //          end.
 // Right    a cubic B-spline has continuous second derivative. The deviation is tested by dense
-//          sampling, both ways, against
-//          the programmed polyline.
+//          sampling, both ways, against the programmed polyline.
 // Weakness knots are programmed vertices with their rounding; an optimal smoothing would average
-// all of them.
+//          all of them.
 // Source   de Boor, A Practical Guide to Splines; knots and Bezier points as in Farin, Curves and
 //          Surfaces, 5.4.
 #pragma once
@@ -85,7 +82,7 @@ private:
     using Cubic = std::array<std::array<double, 6>, kMaxCurveAxes>;
     struct Control {
         SplinePoint point;   // P
-        std::size_t vertex;  // its place in path_; 0 is M
+        std::size_t vertex;  // its index in path_; 0 is M
         SplinePoint used{};  // Q
         bool fixed = false;  // next to an end
     };

@@ -24,8 +24,8 @@ void scale(PathAxis& axis, double factor) {
 }
 
 // Of both what allows less: the smaller limits, and the larger parts that speed takes of them.
-void lower(const Ceilings& c, PathRecord& r) {
-    static_assert(sizeof(Ceilings) == 7 * sizeof(double),
+void lower(const RecordLimits& c, PathRecord& r) {
+    static_assert(sizeof(RecordLimits) == 7 * sizeof(double),
                   "whatever else limits a record must be taken over here as well");
     const double a = std::min(r.a_max, c.a), j = std::min(r.j_max, c.j);
     const auto part = [](double x, double of_x, double y, double of_y, double of) {
@@ -50,7 +50,7 @@ void TransformedOut::begin(const Kinematics& kinematics, double turn, SideOfPole
     side_ = side;
 }
 
-// What the path maker judges corners by. The limits that count in the end are those of the
+// The limits by which the path maker decides on corners. The limits that count in the end are those of the
 // drives.
 const PathLimits& TransformedOut::limits() {
     path_ = *drives_;
@@ -158,8 +158,8 @@ void TransformedOut::put_pieces() {
 void TransformedOut::put(PathRecord& piece, bool first, bool last) {
     if (!first) piece.flags &= ~std::uint32_t{kBlockBegin};
     if (!last) piece.flags &= ~std::uint32_t{kBlockEnd | kExactStop | kInPosition};
-    Ceilings behind;
-    if (ceilings_behind(piece, kinematics_, *drives_, behind))
+    RecordLimits behind;
+    if (record_limits_behind(piece, kinematics_, *drives_, behind))
         lower(behind, piece);
     else
         // cannot be: TransformSink has refused it; the kernel then stops rather than jumps

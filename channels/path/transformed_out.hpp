@@ -5,17 +5,18 @@
 // the distance b: C' = 1/b, C'' ~ 1/b^2, C''' ~ 2/b^3), so a record is cut into pieces that are
 // short against the distance from the pole:
 //
-//      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40 pieces from 100 mm down to
-//       o  -'                                          1 um and as many away again
+//      pole   .--.---.-----.--------.-------------     length <= kPieceShare * distance: about 40
+//       o  -'                                          pieces from 100 mm down to 1 um and as many
+//                                                      away again
 //
 // Within a piece the derivatives change by some tens of per cent, so its limits, from samples,
 // cost little; and each piece has its own: speed falls towards the pole as the axes demand it, and
 // nothing stops (docs/design/transformations.md). A line through the pole itself needs the linear
 // axis only (SideOfPole::Through) and stays one record.
 //
-// Right   The ceilings hold for every axis as those of ceilings.hpp do, with the derivatives of the
-//         drives in place of the slots'.
-//         What the path maker asked for (corner rules, N0310) stays: the lower of the two counts.
+// Right   The limits hold for every axis as those of record_limits.hpp do, with the derivatives of
+//         the drives in place of the slots'. What the path maker asked for (corner rules, N0310)
+//         stays: the lower of the two counts.
 #pragma once
 #include "channels/path/path_maker.hpp"
 

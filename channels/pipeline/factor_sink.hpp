@@ -55,7 +55,7 @@ private:
     const PathState* path_;
     AxisValues axes_{};
     std::vector<Stage> stages_;           // empty: those of the path
-    const AxisValues* factor_ = nullptr;  // of the move that is told
+    const AxisValues* factor_ = nullptr;  // of the move that is reported
     Move unbiased_, out_;
 };
 

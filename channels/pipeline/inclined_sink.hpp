@@ -40,7 +40,7 @@ private:
     void draw_arc(const Move& m, const AxisValues& added);
 
     const MachineView* view_;
-    std::array<int, 3> geometry_;  // places of X, Y, Z; none is missing
+    std::array<int, 3> geometry_;  // indices of X, Y, Z; none is missing
     Frame plane_, inverse_;        // rotation and shift only
     AxisValues axes_{};
     Move out_;

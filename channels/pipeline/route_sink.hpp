@@ -2,8 +2,9 @@
 // (composite control, nct part 2 22.4): positions of Core are those of the address, positions
 // behind this sink are those of the drive.
 //
-//   address m  --mirrored (MCO): 2 z - m-->  true side  --opposite directions (MMI): negated-->  drive        z: workpiece zero
+//   address m --mirrored (MCO): 2 z - m--> true side --opposite directions (MMI): negated--> drive
 //
+// z is the workpiece zero.
 // Programmed numbers and the kind of an arc stay as the program has them; the sense in which the
 // drives go round is theirs.
 #pragma once

@@ -195,7 +195,7 @@ void TransformSink::through_pole(const BlockContext& at, PlanePoint a, PlanePoin
         out_.exact_stop = whole.exact_stop || !last;
         deliver(at);
     };
-    if (from_pole) {  // the shorter way to where b lies on either side
+    if (from_pole) {  // in the shorter direction to where b lies on either side
         const double towards = k.centre[1] + sense * std::atan2(b.v, b.u) * kDeg;
         const double reach = std::hypot(b.u, b.v);
         double turn = std::remainder(towards - axes_[c], 360.0);
@@ -211,7 +211,7 @@ void TransformSink::through_pole(const BlockContext& at, PlanePoint a, PlanePoin
         return drive(b, true);
     }
     if (to_pole || may_stand(along(axes_[c], b))) return drive(b, true);
-    // To the pole, half a turn, and back the same way.
+    // To the pole, half a turn, and back by the same travel.
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         if (transformation_->uses(i)) continue;
         out_.path[i] = out_.machine[i] =

@@ -1,9 +1,12 @@
-// Between Core (or compensation) and the machine while a transformation is on: tells each move with
-// the coordinates of the axes beside its own, and decides what the polar plane leaves open.
+// Between Core (or compensation) and the machine while a transformation is on: gives each move the
+// coordinates of the axes in addition to its own, and decides what the polar plane leaves open.
 //
-//        .---.          A line through the pole is driven with the rotary axis at rest where the linear axis may go on to the
-//   A --(--o--)-- B     other side; where it may not, in three moves: to the pole, the rotary axis by itself, on from the pole.
-//        '---'          A line that begins in the pole has its rotary axis turned first, by the shorter way of what is possible.
+//        .---.          A line through the pole is driven with the rotary axis at rest where the
+//   A --(--o--)-- B     linear axis may continue to the other side; where it may not, in three
+//        '---'          moves: to the pole, the rotary axis by itself, on from the pole.
+//
+// Before a line that begins in the pole the rotary axis is turned, in the shorter of the possible
+// directions.
 //
 // Invariant: axes() is where the axes are behind the last move; a move begins there.
 #pragma once

@@ -49,9 +49,8 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor,
       channel_(channel),
       services_(std::move(services)),
       inbox_([&]() -> EventInbox {
-          // A successor has seen nothing of what its predecessor was told, and must not.
-          // P1: nobody sees it before own_.publish(). P3: of the kernel's head the value alone
-          // counts
+          // A successor has seen no event that was sent to its predecessor, and must not.
+          // P3: of the kernel's head only the value counts; own tail before own_.publish() (P1)
           own_->event_tail.tail.store(
               kernel_->events[channel - 1].head.load(std::memory_order_acquire),
               std::memory_order_relaxed);
@@ -181,7 +180,7 @@ bool ChannelProcess::take_store() {
         own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
         inbox_.poll();
         if (inbox_.interrupts()) return false;
-        // P1, P6: looked at again behind bell.seen()
+        // P1, P6: checked again behind bell.seen()
         if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked)
             bell.wait(rings, 5'000);
     }

@@ -1,5 +1,5 @@
 // Events of the kernel for this channel that the process has not acted on yet. Taken out of the
-// ring as soon as it is looked at, so that a reset is found behind other events.
+// ring as soon as it is seen, so that a reset is found behind other events.
 #pragma once
 #include <deque>
 #include <functional>

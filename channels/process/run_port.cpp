@@ -194,7 +194,7 @@ std::optional<Port::ToolAtWork> RunPort::tool_at_work() {
 // What the kernel has reported to the store up to this barrier is in the table: two virtual runs
 // read the same.
 void RunPort::await_store() const {
-    constexpr int kMostMs = 200;  // a store that has died is no reason to stand
+    constexpr int kMostMs = 200;  // a store that has died is no reason to stop
     // P1: the image was published before the tail was moved
     for (int ms = 0; ms < kMostMs && store_->persist_tail.tail.load(std::memory_order_acquire) <
                                          kernel_->persist.head.load(std::memory_order_acquire);

@@ -4,13 +4,11 @@
 // Invariants
 //   I1  A note is in its ring before the record that names it.
 //   I2  A record that is not motion leaves behind the last move before it; where the machine must
-//   stand for it, that move
-//       ends with a stop. Standing: dwell, M S T to the PLC, wait (a flying one brakes only if it
-//       must), program stop,
-//       barrier, spindle positioning. Not: spindle speed and surface speed, variables, offsets,
-//       messages, parts.
+//       be at standstill for it, that move ends with a stop. At standstill: dwell, M S T to the
+//       PLC, wait (a flying one brakes only if it must), program stop, barrier, spindle
+//       positioning. Not: spindle speed and surface speed, variables, offsets, messages, parts.
 //   I3  Behind a record with kDrains nothing is pushed before the kernel has answered it;
-//   drain_index() is its place.
+//       drain_index() is its index.
 #pragma once
 #include <functional>
 #include <string>

@@ -6,9 +6,8 @@
 //
 //   programmed  in the active workpiece system, X as a radius
 //   frame       programmable: translation, rotation, scale, mirror (frame.hpp; none: programmed
-//               itself). frame(programmed) is
-//               what `pos` of an event shows. Tool offsets lie outside of it: neither mirrored nor
-//               turned.
+//               itself). frame(programmed) is what `pos` of an event shows. Tool offsets lie
+//               outside of it: neither mirrored nor turned.
 //   zero        external, G54.., G92/G50, G52: changing it moves nothing, the programmed position
 //               becomes another number
 //   shift       tool offset that acts as a shift of the system (fanuc geometry with LGT=0, nct):
@@ -120,17 +119,17 @@ struct PathState {
     bool framed = false;                  // `frame` is more than nothing; inverse belongs to it
     Frame frame, inverse;
     bool factored = false;  // some axes have a factor that acts behind compensation
-    AxisValues factor{};    // by place, while there is one; `frame` has them too
+    AxisValues factor{};    // by axis index, while there is one; `frame` has them too
     FixtureOffset fixture;  // its vector is in `shift`
     // machine and programmed are coordinates of its path while it is on
     Transformation transformation;
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;  // mm/min, mm/rev
     FeedPath feed_path;
-    // place of the axis of constant surface speed; -1 the machine's
+    // index of the axis of constant surface speed; -1 the machine's
     std::int32_t surface_axis = -1;
     Plane plane = Plane::ZX;
-    // places of a plane of any two axes (fagor G16); -1: by `plane`
+    // indices of a plane of any two axes (fagor G16); -1: by `plane`
     std::int8_t plane_p = -1, plane_q = -1;
     bool exact_stop_mode = false, override_locked = false;
     bool exact_stop_off = false;    // no exact stop whatever is programmed (#3004)
@@ -144,7 +143,7 @@ struct PathState {
     std::array<std::int8_t, kChannelAxes> last_travel{};
     // rigid tapping is on: mm a revolution, positive: right-hand; 0 off
     double tap_pitch = 0.0;
-    std::uint8_t tap_axis = 0;    // place of the axis that goes into the hole
+    std::uint8_t tap_axis = 0;    // index of the axis that goes into the hole
     double tap_depth_sign = 1.0;  // its direction into the hole
     bool tap_feedforward = false, tap_own_acceleration_out = false;
     bool tap_floats = false;  // a tap in a floating holder is on
@@ -227,7 +226,7 @@ public:
     void take_machine(unsigned place, double drive);
     // Offsets or zeros have other values now. `load` brings the tool's into shift and wanted; the
     // programmed point stays what it is, so the machine coordinate of the point becomes another
-    // one. Where the axes are is not looked at.
+    // one. Where the axes are is not considered.
     template <class Load>
     void change_offsets(Load&& load) {
         const AxisValues programmed = path.programmed, before = chain_offset();
@@ -239,11 +238,10 @@ public:
     }
     // at barriers: stroke limits and routes that hold now
     void refresh_limits();
-    AxisSet plane_axes(int& p, int& q) const;  // places of the plane's axes; -1 missing
+    AxisSet plane_axes(int& p, int& q) const;  // indices of the plane's axes; -1 missing
 
-    // --- transformations: switched while the axes rest and the runner stands at a barrier; nothing
-    // moves
-    // centres are filled in here: where the programmed coordinates are 0
+    // --- transformations: switched while the axes rest and the interpreter waits at a barrier;
+    // nothing moves. Centres are filled in here: where the programmed coordinates are 0.
     bool transform(const Transformation& transformation);
     void transform_off();
     bool transformed() const { return path.transformation.active(); }
@@ -274,7 +272,7 @@ public:
     // Factors of single axes that multiply the motion behind compensation (fagor G72 X..); `frame`
     // has them already. Not while blocks are read ahead.
     void set_factors(const AxisValues& factor, const Frame& frame);
-    // some may come while compensation is active: what multiplies stands behind it from the
+    // some may come while compensation is active: what multiplies comes behind it from the
     // beginning
     void await_factors();
     Zeros zeros() const {
@@ -296,8 +294,8 @@ public:
     bool frame_inclines() const;
     // what reads ahead works in such a plane
     bool inclined() const { return inclined_; }
-    // The plane's directions outside the frame turn the other way: it mirrors, and the sides of the
-    // path are exchanged.
+    // The plane's directions outside the frame turn in the opposite direction: it mirrors, and the
+    // sides of the path are exchanged.
     bool frame_mirrors_plane() const;
 
     // --- moves; target in the workpiece system (X as a radius). A block that moves nothing makes
@@ -366,7 +364,7 @@ public:
 
     // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead
     // of what has been delivered:
-    // the language tells the end of each block and stops at barriers when halted() says so.
+    // the language reports the end of each block and stops at barriers when halted() says so.
     // F of a helix counts in the plane of its arc
     void helix_in_plane(bool on) { helix_in_plane_ = on; }
     void compensation_options(const compensation::Options& options);
@@ -459,9 +457,9 @@ public:
         double code = 0.0;
     };
     bool rigid_loop(TapLoop& loop, bool oriented = false);
-    // What a block says about the spindle is gathered and told once, by commit_spindle().
-    // `spindle`: another one than the channel's, by its name; told at once or with the turn that
-    // follows in the block.
+    // What a block says about the spindle is gathered and reported once, by commit_spindle().
+    // `spindle`: another one than the channel's, by its name; reported at once or with the turn
+    // that follows in the block.
     bool named_spindle(unsigned spindle, double rpm);
     bool spindle_speed(double value);  // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
@@ -476,9 +474,9 @@ public:
     // of the angles that follow; 0: in rapid
     void position_feed(double rpm) { position_feed_rpm_ = rpm; }
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
-    // Another spindle than the one that S means: absolute the shorter way, or by so much. `closed`:
-    // its loop is closed already (a word under the spindle's own address, N0817), else the M code
-    // behind it closes it. feed_rpm 0: in rapid.
+    // Another spindle than the one that S means: absolute in the shorter direction, or by so much.
+    // `closed`: its loop is closed already (a word under the spindle's own address, N0817), else
+    // the M code behind it closes it. feed_rpm 0: in rapid.
     bool spindle_angle(unsigned spindle, double degrees, bool incremental, bool closed,
                        double feed_rpm = 0);
     // turns the closed loop by so much, with its sign
@@ -578,7 +576,7 @@ private:
     double spindle_rpm_at(double radius_mm) const;  // 0: not known
 
     MachineView* view_;
-    std::array<int, 3> geo_{-1, -1, -1};  // places of X, Y, Z
+    std::array<int, 3> geo_{-1, -1, -1};  // indices of X, Y, Z
     std::uint32_t control_ = 0;           // as tell_control() said it
     struct Asked {
         std::uint16_t file = 0;

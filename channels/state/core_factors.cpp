@@ -92,7 +92,7 @@ void Core::take_factors_off() {
     }
 }
 
-// What holds moves is told no jump where factors have changed.
+// What holds moves is given no jump where factors have changed.
 void Core::add_bias() {
     if (!factors_ || !factors_->changed()) return;
     const AxisValues bias = factors_->bias();

@@ -17,7 +17,7 @@ Vector turned_by_table(const Kinematics& k, const std::array<double, 2>& angle, 
     if (sense < 0 && first) v = f::turned(&k.value[f::kFirstDirection], -angle[0], v);
     if (second) v = f::turned(&k.value[f::kSecondDirection], sense * angle[1], v);
     if (sense > 0 && first) v = f::turned(&k.value[f::kFirstDirection], angle[0], v);
-    for (double& c : v) c = std::round(c * 1e9) / 1e9;  // quarter turns give whole numbers
+    for (double& c : v) c = std::round(c * 1e9) / 1e9;  // quarter turns give integers
     return v;
 }
 

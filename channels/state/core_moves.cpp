@@ -351,7 +351,7 @@ bool Core::linear(const AxisValues& target) {
     return true;
 }
 
-// Into the hole the spindle turns as the thread's hand says, out of it the other way.
+// Into the hole the spindle turns as the thread's hand says, out of it in the opposite direction.
 void Core::turn_with_move() {
     const double way =
         (move_.machine[path.tap_axis] - move_.machine_start[path.tap_axis]) * path.tap_depth_sign;

@@ -19,7 +19,7 @@ struct FixtureOffset {
     bool on = false;
     // N3212 #7: the linear axes go with the next block that names one of them
     bool rotary_alone = false;
-    // directions and places of the table's axes (five_axis); heads in it do not count
+    // directions and indices of the table's axes (five_axis); heads in it do not count
     Kinematics table{};
     std::array<double, 3> measured{};  // F, mm
     std::array<double, 2> at_deg{};    // a0, b0

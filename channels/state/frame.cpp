@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSingular = 1e-12;
 
-// Quarter turns are exact: a contour turned by 90 degrees stays on whole numbers.
+// Quarter turns are exact: a contour turned by 90 degrees stays on integers.
 void sine_cosine(double degrees, double& sine, double& cosine) {
     const double quarters = std::nearbyint(degrees / 90.0);
     const double rest = (degrees - quarters * 90.0) * std::numbers::pi / 180.0;

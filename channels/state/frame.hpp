@@ -2,7 +2,7 @@
 //
 //   outer = linear * point + shift      X, Y, Z (as a radius, mm), by PlaneRole, whatever places
 //                                       they have in the channel
-//   outer = scale * value + offset      every other axis, by its place
+//   outer = scale * value + offset      every other axis, by its index
 //
 // A chain of frames (basic, settable, programmable, additive ones) is one frame again:
 // Frame::operator*.

@@ -13,7 +13,7 @@ namespace polyturn::channels {
 enum class PoleSide : std::uint8_t { Both, Positive, Negative };
 
 struct Transformation {
-    Kinematics kinematics{};     // axis: places in the channel; no route
+    Kinematics kinematics{};     // axis: indices in the channel; no route
     bool degrees = false;        // cylinder: the rotary axis is programmed by its angle
     std::int8_t virtual_y = -1;  // slot that replaces Y while it is on; -1 none
     bool named_y = false;        // and is programmed and shown as Y
@@ -45,8 +45,8 @@ struct Transformation {
     double degrees_per_mm() const { return 180.0 / 3.14159265358979323846 / kinematics.value[0]; }
 };
 
-// By place, in address coordinates (before RouteSink): path coordinates of the roles from those of
-// the axes, and back.
+// By axis index, in address coordinates (before RouteSink): path coordinates of the roles from
+// those of the axes, and back.
 void places_to_path(const Transformation& t, AxisValues& values);
 bool places_to_axes(const Transformation& t, const Branch& branch, AxisValues& values);
 

@@ -1,8 +1,10 @@
 // Program text line by line through a window of fixed size, so that a 200 MB program needs no more
 // memory than a small one.
 //
-//   file  |....................[ window ][.............|      next() hands out lines inside the window;
-//                                  ^ next_offset()            seek() goes to any line that was handed out before
+//   file  |....................[ window ][.............|
+//                                  ^ next_offset()
+//
+// next() hands out lines inside the window; seek() goes to any line that was handed out before.
 //
 // Lines end with LF, CRLF or CR. A byte order mark is skipped, UTF-16 and files with zero bytes are
 // refused at once: a machine must not drive what is no text.

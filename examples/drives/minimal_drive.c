@@ -1,7 +1,9 @@
-/* The smallest useful drive.so: an axis that moves exactly as it is told, one cycle later. Put what talks to your hardware
- * where turn() is; the state machine is what every CiA 402 drive does.
+/* The smallest useful drive.so: an axis that moves exactly as it is told, one cycle later. Put what
+ * talks to your hardware where turn() is; the state machine is what every CiA 402 drive does.
  *
- *   cc -shared -fPIC -I kernel/drives examples/drives/minimal_drive.c -o MACHINE/drive.so        and PT_DRIVE A1=1 */
+ *   cc -shared -fPIC -I kernel/drives examples/drives/minimal_drive.c -o MACHINE/drive.so
+ *
+ * and PT_DRIVE A1=1. */
 #include <stdlib.h>
 
 #include "drive.h"
@@ -28,18 +30,24 @@ static void close_drive(void* memory) { free(memory); }
 static uint16_t next_state(uint16_t state, uint16_t control) {
     switch (control & 0x0Fu) {
         case POLYTURN_DRIVE_SHUTDOWN: return POLYTURN_DRIVE_READY;
-        case POLYTURN_DRIVE_SWITCH_ON: return state == POLYTURN_DRIVE_SWITCH_ON_DISABLED ? state : POLYTURN_DRIVE_SWITCHED_ON;
-        case POLYTURN_DRIVE_ENABLE: return state == POLYTURN_DRIVE_SWITCHED_ON || state == POLYTURN_DRIVE_OPERATING ? POLYTURN_DRIVE_OPERATING : state;
+        case POLYTURN_DRIVE_SWITCH_ON:
+            return state == POLYTURN_DRIVE_SWITCH_ON_DISABLED ? state : POLYTURN_DRIVE_SWITCHED_ON;
+        case POLYTURN_DRIVE_ENABLE:
+            return state == POLYTURN_DRIVE_SWITCHED_ON || state == POLYTURN_DRIVE_OPERATING
+                       ? POLYTURN_DRIVE_OPERATING
+                       : state;
         default: return POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     }
 }
 
 static void turn(Drive* drive, const PolyturnDriveCommand* command) {
-    if (command->mode == POLYTURN_DRIVE_MODE_POSITION) drive->position = (double)command->target_position;
+    if (command->mode == POLYTURN_DRIVE_MODE_POSITION)
+        drive->position = (double)command->target_position;
     else drive->position += (double)command->target_velocity * 1e-3 * drive->setup.tick_s;
 }
 
-static void exchange(void* memory, const PolyturnDriveCommand* command, PolyturnDriveStatus* status) {
+static void exchange(void* memory, const PolyturnDriveCommand* command,
+                     PolyturnDriveStatus* status) {
     Drive* drive = memory;
     drive->state = next_state(drive->state, command->control);
     const PolyturnDriveStatus nothing = {0};

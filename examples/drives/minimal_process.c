@@ -1,7 +1,9 @@
-/* The smallest useful drive process: all axes and spindles of an instance with PT_DRIVE 2, moving exactly as they are told.
- * A field bus master has its cycle where this one has turn().
+/* The smallest useful drive process: all axes and spindles of an instance with PT_DRIVE 2, moving
+ * exactly as they are told. A field bus master has its cycle where this one has turn().
  *
- *   cc -std=gnu11 -I kernel/drives examples/drives/minimal_process.c -o MACHINE/drives           and PT_DRIVE A1=2 */
+ *   cc -std=gnu11 -I kernel/drives examples/drives/minimal_process.c -o MACHINE/drives
+ *
+ * and PT_DRIVE A1=2. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,8 +25,12 @@ static void* map(const char* instance, const char* name, size_t size, int create
 static uint16_t next_state(uint16_t state, uint16_t control) {
     switch (control & 0x0Fu) {
         case POLYTURN_DRIVE_SHUTDOWN: return POLYTURN_DRIVE_READY;
-        case POLYTURN_DRIVE_SWITCH_ON: return state == POLYTURN_DRIVE_SWITCH_ON_DISABLED ? state : POLYTURN_DRIVE_SWITCHED_ON;
-        case POLYTURN_DRIVE_ENABLE: return state == POLYTURN_DRIVE_SWITCHED_ON || state == POLYTURN_DRIVE_OPERATING ? POLYTURN_DRIVE_OPERATING : state;
+        case POLYTURN_DRIVE_SWITCH_ON:
+            return state == POLYTURN_DRIVE_SWITCH_ON_DISABLED ? state : POLYTURN_DRIVE_SWITCHED_ON;
+        case POLYTURN_DRIVE_ENABLE:
+            return state == POLYTURN_DRIVE_SWITCHED_ON || state == POLYTURN_DRIVE_OPERATING
+                       ? POLYTURN_DRIVE_OPERATING
+                       : state;
         default: return POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     }
 }
@@ -62,7 +68,8 @@ int main(int argc, char** argv) {
             PolyturnDriveStatus* status = &statuses.status[i];
             status->status = next_state(status->status, command->control);
             if (status->status == POLYTURN_DRIVE_OPERATING) {
-                if (command->mode == POLYTURN_DRIVE_MODE_POSITION) position[i] = (double)command->target_position;
+                if (command->mode == POLYTURN_DRIVE_MODE_POSITION)
+                    position[i] = (double)command->target_position;
                 else position[i] += (double)command->target_velocity * 1e-3 * in->setup[i].tick_s;
             }
             status->position = (int64_t)position[i]; /* as the next cycle begins */

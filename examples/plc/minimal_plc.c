@@ -1,4 +1,5 @@
-/* The smallest useful PLC: M8 and M9 switch the coolant of channel L1, every other M code is finished at once.
+/* The smallest useful PLC: M8 and M9 switch the coolant of channel L1, every other M code is
+ * finished at once.
  *     cc -shared -fPIC -I<polyturn>/kernel/plc minimal_plc.c -o plc.so */
 #include "plc_api.h"
 

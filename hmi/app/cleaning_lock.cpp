@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/soft_keys.hpp"
-#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/machine_step.hpp"
 
 namespace polyturn::hmi {
@@ -104,14 +104,13 @@ void CleaningLock::compose(Writer& w) {
            lettering(30, true), t.text, Qt::AlignCenter);
     const auto seconds =
         std::max<qint64>(0, kLockMs - (since_.isValid() ? since_.elapsed() : 0)) / 1000 + 1;
-    for (
-        const auto& [text, top] :
-        {std::pair{
-             word(
-                 "Touches and keys do nothing. Unlocks by itself in %1 s, at once when an alarm comes.")
-                 .arg(seconds),
-             px(8)},
-         {word("The keys below act when they are kept pressed."), px(64)}}) {
+    for (const auto& [text, top] :
+         {std::pair{
+              word("Touches and keys do nothing. Unlocks by itself in %1 s, at once when an alarm "
+                   "comes.")
+                  .arg(seconds),
+              px(8)},
+          {word("The keys below act when they are kept pressed."), px(64)}}) {
         Item& line = w.text(QRectF(margin, middle + top, wide - 2 * margin, px(52)), text,
                             lettering(18), t.dim, Qt::AlignCenter);
         line.wraps = true;

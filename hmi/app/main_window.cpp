@@ -9,9 +9,9 @@
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/machine/live/lengths.hpp"
 #include "hmi/text/retold.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
-#include "hmi/widgets/upright.hpp"
 #include "ipc/machine/machine_step.hpp"
 
 namespace polyturn::hmi {

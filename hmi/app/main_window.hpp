@@ -1,7 +1,10 @@
 // The frame around the screens: what the machine is like (top), the screens (left), their soft keys
 // (foot), a line for the operator.
 //
-//   F1..F10 soft keys     Ctrl+F the next field of text     Alt+1..9, 0 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning     Help or Ctrl+H the manual
+//   F1..F10       soft keys              F11             language
+//   Alt+1..9, 0   screens                F12             theme
+//   Ctrl+1..9     channels               Ctrl+L          lock for cleaning
+//   Ctrl+F        next field of text     Help or Ctrl+H  the manual
 #pragma once
 #include <QElapsedTimer>
 #include <QSettings>

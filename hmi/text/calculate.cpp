@@ -9,7 +9,9 @@ namespace {
 
 constexpr int kDeepest = 32;  // brackets in brackets
 
-//   sum     = product { (+|-) product }      product = factor { (*|/) factor }      factor = [+|-] (number | "(" sum ")")
+//   sum     = product { (+|-) product }
+//   product = factor { (*|/) factor }
+//   factor  = [+|-] (number | "(" sum ")")
 class Reader {
 public:
     explicit Reader(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}

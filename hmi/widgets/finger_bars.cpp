@@ -16,7 +16,8 @@ void setFingerBars(QAbstractScrollArea& area) {
         const QString style =
             QString(
                 "QScrollBar { background: %1; border: none; margin: 0; %2: %3px; }"
-                "QScrollBar::handle { background: %4; border-radius: %5px; margin: %6px; min-%7: %8px; }"
+                "QScrollBar::handle { background: %4; border-radius: %5px; margin: %6px; "
+                "min-%7: %8px; }"
                 "QScrollBar::handle:pressed { background: %9; }"
                 "QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }"
                 "QScrollBar::add-page, QScrollBar::sub-page { background: none; }")

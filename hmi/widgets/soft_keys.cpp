@@ -3,8 +3,8 @@
 #include <QFontMetricsF>
 #include <algorithm>
 
+#include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
-#include "hmi/widgets/upright.hpp"
 
 namespace polyturn::hmi {
 

@@ -60,9 +60,11 @@ constexpr auto kDetails = std::to_array<DetailRow>({
       "nový start od bloku je možný jen v automatickém režimu (zvolte jej)",
       "mondattól újraindítani csak automatikus üzemmódban lehet (válassza azt)"}},
     {{"the program of another channel was to start this one, whose mode is MDI (choose automatic)",
-      "программа другого канала должна была запустить этот, а он в режиме РВД (выберите автоматический)",
+      "программа другого канала должна была запустить этот, а он в режиме РВД (выберите "
+      "автоматический)",
       "program jiného kanálu měl spustit tento, který je v režimu MDI (zvolte automatický)",
-      "egy másik csatorna programja indította volna ezt, amely MDI módban van (válassza az automatikust)"}},
+      "egy másik csatorna programja indította volna ezt, amely MDI módban van (válassza az "
+      "automatikust)"}},
     {{"the handwheel drives a program only while the machine is on",
       "маховичок ведёт программу только при включённом станке",
       "ruční kolečko vede program jen při zapnutém stroji",
@@ -315,8 +317,10 @@ constexpr auto kDetails = std::to_array<DetailRow>({
       "{0} az egyetlen gyártó"}},
     {{"user {0} of this computer is no user of the controller (users add NAME LEVEL uid={1})",
       "пользователь {0} этого компьютера не пользователь системы (users add NAME LEVEL uid={1})",
-      "uživatel {0} tohoto počítače není uživatelem řídicího systému (users add NAME LEVEL uid={1})",
-      "a számítógép {0} felhasználója nem felhasználója a vezérlésnek (users add NAME LEVEL uid={1})"}},
+      "uživatel {0} tohoto počítače není uživatelem řídicího systému (users add NAME "
+      "LEVEL uid={1})",
+      "a számítógép {0} felhasználója nem felhasználója a vezérlésnek (users add NAME LEVEL "
+      "uid={1})"}},
     // measured parts, pallets, stops
     {{"name: at most 60 characters", "name: не больше 60 знаков", "name: nejvýše 60 znaků",
       "name: legfeljebb 60 karakter"}},
@@ -469,7 +473,8 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"axes were moved in the hold, and this block cannot go on from elsewhere (press return)",
       "на паузе оси сдвинули, а этот кадр не может продолжиться из другого места (возврат)",
       "v pozastavení se osy posunuly a tato věta nemůže pokračovat odjinud (návrat)",
-      "felfüggesztésben a tengelyek elmozdultak, és ez a mondat máshonnan nem folytatható (visszatérés)"}},
+      "felfüggesztésben a tengelyek elmozdultak, és ez a mondat máshonnan nem folytatható "
+      "(visszatérés)"}},
     {{"the program cannot be left in this block", "в этом кадре программу нельзя покинуть",
       "v této větě nelze program opustit", "ebben a mondatban a program nem hagyható el"}},
     {{"the block in which the program is held cannot be read again",
@@ -545,10 +550,14 @@ constexpr auto kDetails = std::to_array<DetailRow>({
       "{0} je vstup programu: 0 nebo 1", "{0} a program bemenete: 0 vagy 1"}},
     {{"{0} is no value of {1}", "{0} — не значение {1}", "{0} není hodnota {1}",
       "{0} nem értéke ennek: {1}"}},
-    {{"a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 cycles) or ok",
-      "приводу задают fault, encoder, silent, dead, 'delay N' или 'loses N' (от 1 до 60 циклов) или ok",
-      "pohonu se zadává fault, encoder, silent, dead, 'delay N' nebo 'loses N' (1 až 60 cyklů) nebo ok",
-      "a hajtásnak fault, encoder, silent, dead, 'delay N' vagy 'loses N' (1–60 ciklus) vagy ok adható"}},
+    {{"a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 cycles) or "
+      "ok",
+      "приводу задают fault, encoder, silent, dead, 'delay N' или 'loses N' (от 1 до 60 циклов) "
+      "или ok",
+      "pohonu se zadává fault, encoder, silent, dead, 'delay N' nebo 'loses N' (1 až 60 cyklů) "
+      "nebo ok",
+      "a hajtásnak fault, encoder, silent, dead, 'delay N' vagy 'loses N' (1–60 ciklus) vagy ok "
+      "adható"}},
     {{"it gave no answer", "ответа нет", "neodpověděl", "nem válaszolt"}},
     {{"too many programs ask at once", "спрашивают слишком многие программы сразу",
       "ptá se příliš mnoho programů najednou", "túl sok program kérdez egyszerre"}},

@@ -18,7 +18,7 @@ std::string Diagnosis::text() const { return text_in(*this, DisplayLanguage::Eng
 
 namespace {
 
-// Of a line that fills screens, what stands around the column.
+// Of a line that fills screens, what is around the column.
 std::string_view around(std::string_view line, std::uint32_t column) {
     constexpr std::size_t kWidest = 240, kBefore = 80;
     if (line.size() <= kWidest) return line;
@@ -51,7 +51,7 @@ std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view
         const auto before = static_cast<std::size_t>(shown.data() - source_line.data());
         out += fmt::format("{:5} | {}\n", place.line, shown);
         if (place.column) {
-            // Tabs are kept, so that the mark stands under the word whatever their width on the
+            // Tabs are kept, so that the mark is under the word whatever their width on the
             // screen.
             std::string pad;
             for (std::size_t i = before; i + 1 < place.column && i < source_line.size(); ++i)

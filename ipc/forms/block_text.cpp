@@ -135,7 +135,7 @@ void BlockText::read_letters() {
 }
 
 // N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a
-// command without one; or a call that stands alone. What is chosen or told (labels, conditions,
+// command without one; or a call that stands alone. What is chosen or reported (labels, conditions,
 // strings) and a value of several parts with blanks between them are left alone.
 void BlockText::read_names() {
     std::size_t i = 0;

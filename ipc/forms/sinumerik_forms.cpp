@@ -55,7 +55,7 @@ constexpr Field kG335[] = {
     {"CR", 0, U::Length, M::ArcRadius, kNeeded, 0.001, kMost, "60", "Radius of the arc"},
     POLYTURN_THREAD_MORE,
 };
-// The speed stands in a block without motion, which may change the gear (10.11.1).
+// The speed is in a block without motion, which may change the gear (10.11.1).
 #define POLYTURN_TAP_SPEED \
     { "S", 0, U::Speed, M::None, kMay, 0, kMost, "500", "Speed of the spindle" }
 constexpr Field kG331Z[] = {
@@ -89,8 +89,8 @@ constexpr Field kG63X[] = {
     {"F", 0, U::FeedRate, M::Feed, kMay, 0.0001, kMost, "", "Feed: lead times speed"},
 };
 
-// Lengths lie along the axis that stands on the working plane: in G17, the face of a lathe, along
-// Z. DPR goes before DP.
+// Lengths lie along the axis that is perpendicular to the working plane: in G17, the face of a
+// lathe, along Z. DPR goes before DP.
 #define POLYTURN_PLANES                                                              \
     {"RTP", 0, U::Length, M::RLevel, kNeeded, -kMost, kMost, "10", "Retract plane"}, \
         {"RFP",     0,       U::Length,                                              \

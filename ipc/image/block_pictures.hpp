@@ -3,13 +3,13 @@
 // block by block; screens look up the block that is executed.
 //
 // Invariants
-//   B1  Pictures from picture_first to head belong to the running program; the newest with a serial
-//   up to the block's holds.
-//       A program that was taken back has smaller serials behind larger ones: the newest still
-//       holds.
+//   B1  Snapshots from picture_first to head belong to the running program; the newest with a
+//       serial up to the block's holds. A program that was taken back has smaller serials behind
+//       larger ones: the newest still holds.
 //   B2  The channel writes slot head while head - kPictures is thereby lost: a copy counts when its
-//   index was not lost afterwards. B3  picture_serials holds the serial of each slot from before
-//   head grows. One that is lost may be seen there: B2 finds out.
+//       index was not lost afterwards.
+//   B3  picture_serials holds the serial of each slot from before head grows. One that is lost may
+//       be seen there: B2 finds out.
 #pragma once
 #include <cstring>
 
@@ -36,7 +36,7 @@ inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) n
     const std::uint64_t first = channel.picture_first.load(std::memory_order_acquire),
                         head = channel.pictures.head.load(std::memory_order_acquire);
     for (std::uint64_t at = head; at > first && head - at < kPictures - 1; --at) {
-        // P5, B3
+        // P5, B3: too new a serial is passed over, whenever it is seen
         if (channel.picture_serials[(at - 1) % kPictures].load(std::memory_order_relaxed) > serial)
             continue;
         BlockPicture copy;

@@ -26,7 +26,8 @@
 //   Reference                     object: axis, 0 all
 //   FeedOverride, RapidOverride   channel, value: 1 is 100 %
 //   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
-//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey, Superpose   channel, value: 1 on, 0 off
+//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey, Superpose
+//                                 channel, value: 1 on, 0 off
 //   BlockSkip                     channel, flags: level 1..10 (0 every level), value: 1 on, 0 off
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value;
 //                                 channel: 0 the whole signal, else bit channel - 1 of it
@@ -36,9 +37,8 @@
 //                                 fault of its encoder, 0 gone
 //   Sensor                        object: axis (kMaxAxes + n: spindle n), flags: number of the
 //                                 input, channel: 1 in positive, 2 in negative, 0 in both
-//                                 directions
-//                                 of travel, value: true machine mm or degrees from which on the
-//                                 input is on
+//                                 directions of travel, value: true machine mm or degrees from
+//                                 which on the input is on
 //   SetParameter                  text: a parameter line
 //   Watch                         object: slot, flags as SetSignal: each change is logged as a
 //                                 Signal event

@@ -146,8 +146,7 @@ enum class StopReason : std::int32_t {
     FirstPart,  // before a tool, in first-part mode
     // no further back, or at the position where retrace began
     Retrace,
-    // until the operator has answered what
-    // ChannelSegment::dialogue asks
+    // until the operator has answered what ChannelSegment::dialogue asks
     Dialogue
 };
 enum class ChannelState : std::uint32_t {

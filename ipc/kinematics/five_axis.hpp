@@ -2,11 +2,11 @@
 // tip on the workpiece as it lies with both rotary axes at 0; the linear axes make good what the
 // rotary ones move.
 //
-//   table    x -> c + R(angle) (x - c)            turns the workpiece; the first table carries the second
-//   head     tip = pivot + R(angle) arm           turns the tool about its pivot; the first head carries the second
+//   table    x -> c + R(angle) (x - c)     turns the workpiece
+//   head     tip = pivot + R(angle) arm    turns the tool about its pivot
 //   M = T1 T2 p - (H1(arm1 + H2 arm2) - (arm1 + arm2))
-// With both at 0 the coordinates of path and axes are the same: tool length and zeros stay where
-// they are.
+// The first table carries the second one, the first head the second head. With both at 0 the
+// coordinates of path and axes are the same: tool length and zeros stay where they are.
 #pragma once
 #include "ipc/kinematics/kinematics.hpp"
 

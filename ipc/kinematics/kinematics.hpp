@@ -9,22 +9,21 @@
 // the same on either side.
 //
 //   Polar      roles: linear axis X, rotary axis C. With u = x - centre, v = c - centre (mm), d =
-//              value[0] the distance of the
-//              rotary centre from the line of X (nct N0217, part 1 4.4)
-//                  X = +-sqrt(u^2 + v^2 - d^2)      C = sense (atan2(v, u) - atan2(d, X))                               (1)
-//              sense = value[1]: 1 or -1.
-//              The sign is the record's side; whole turns of C by its `turn`. A line through the
-//              pole (Through) has C = turn
-//              and X = u cos C + v sin C; where it passes the pole by less than kThroughPole
-//              (polar.hpp), C goes the little way
-//              from one direction to the opposite one evenly along it.
-//   Cylinder   role: rotary axis. C = v / r, r = value[0] (mm; negative: the other sense): v is the way along the surface.                             (2)
+//              value[0] the distance of the rotary centre from the line of X (nct N0217, part 1
+//              4.4)
+//                  X = +-sqrt(u^2 + v^2 - d^2)      C = sense (atan2(v, u) - atan2(d, X))      (1)
+//              sense = value[1]: 1 or -1. The sign is the record's side; whole turns of C by its
+//              `turn`. A line through the pole (Through) has C = turn and X = u cos C + v sin C;
+//              where it passes the pole by less than kThroughPole (polar.hpp), C goes the little
+//              way from one direction to the opposite one evenly along it.
+//   Cylinder   role: rotary axis. r = value[0] (mm; negative: the other sense), v the distance
+//              along the surface
+//                  C = v / r                                                             (2)
 //   Inclined   roles: inclined axis X, square axis Z, angle a = value[0] (rad) between X and the
-//              perpendicular of Z
-//              (fagor part 2 13, fanuc 10.5)
-//                  X' = X / cos a      Z' = Z - X tan a                                                                  (3)
+//              perpendicular of Z (fagor part 2 13, fanuc 10.5)
+//                  X' = X / cos a      Z' = Z - X tan a                                   (3)
 //              value[1] not 0: X does not move Z: Z' = Z - value[2]
-//   FiveAxis   roles: X Y Z and two rotary axes: five_axis.hpp.                                                        (4)
+//   FiveAxis   roles: X Y Z and two rotary axes: five_axis.hpp                           (4)
 #pragma once
 #include "ipc/kinematics/jet.hpp"
 #include "ipc/path/path_geometry.hpp"

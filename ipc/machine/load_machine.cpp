@@ -69,7 +69,7 @@ void apply_overrides(const MachineSource& source, params::Table& table,
 LoadedMachine load_machine(const MachineSource& source) {
     LoadedMachine loaded = load_machine_file(source.machine);
     // Bodies that cannot be are refused here, for the kernel would guard against others than the
-    // machine has. They are judged by the machine's own file: an axis that one run takes away
+    // machine has. They are checked by the machine's own file: an axis that one run takes away
     // leaves its place in the work area empty.
     if (loaded.ok())
         (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);

@@ -187,7 +187,7 @@ Result<ControllerDoor> ControllerDoor::open(const std::string& instance) {
         ::unlinkat(place.fd, name.c_str(), 0);  // of one that was killed
         Descriptor one(new_socket(SOCK_NONBLOCK));
         if (one.fd < 0 || ::bind(one.fd, address->any(), address->size) != 0) continue;
-        // who may come is judged by who he is, not by the file
+        // who may connect is decided by who he is, not by the file
         ::fchmodat(place.fd, name.c_str(), 0666, 0);
         if (::listen(one.fd, kBacklog) != 0) continue;
         out.listeners_.push_back(one.release());

@@ -1,5 +1,5 @@
 // The supervisor's half of a note ring (note_ring.hpp). The bytes are another process's, and
-// nothing of them is believed: a head that stands nowhere or a size that leads out of the ring ends
+// nothing of them is trusted: a head that is out of range or a size that leads out of the ring ends
 // the reading for good, and what is added meanwhile waits for the next reader, so that no writer
 // can keep this one busy.
 #pragma once
@@ -32,6 +32,7 @@ public:
             at = 0;
             if (tail > head_) return Taken::Broken;
             if (tail == head_) {
+                // P2: nothing of the rest is read any more
                 tail_->store(tail, std::memory_order_release);
                 return Taken::None;
             }
@@ -42,6 +43,7 @@ public:
             return Taken::Broken;
         std::memcpy(&number, &half_->bytes[at + 8], 8);
         text.assign(&half_->bytes[at + 16], size - 1);
+        // P2: number and text are copied
         tail_->store(tail + need, std::memory_order_release);
         return Taken::One;
     }

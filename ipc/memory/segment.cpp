@@ -73,8 +73,8 @@ bool believed(const struct stat& info) {
     return S_ISREG(info.st_mode) && trusted_owner(info.st_uid);
 }
 
-// What a name of /dev/shm leads to, opened without waiting and looked at: an ordinary file of
-// somebody who is believed. A pipe of that name would hold its reader for ever, a stranger's file
+// What a name of /dev/shm leads to, opened without waiting and checked: an ordinary file of
+// somebody who is trusted. A pipe of that name would hold its reader for ever, a stranger's file
 // would say whatever he likes. boost::interprocess maps it.
 class SharedFile {
 public:

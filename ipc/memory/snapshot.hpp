@@ -6,8 +6,8 @@
 // Invariants
 //   S1  Only the writer stores version_ and the slots.
 //   S2  The published slot is not written before another one is published. A writer killed at any
-//   store therefore
-//       leaves the last complete value readable.
+//       store therefore leaves the last complete value readable.
+//
 // A reader that is overtaken twice while it copies sees it by the version and copies again; it
 // waits for nobody, and the bound on its tries only matters to a reader that is slower than two
 // publications, each time.

@@ -68,6 +68,7 @@ public:
     void commit() noexcept {
         PT_ASSERT(half_->head.load(std::memory_order_relaxed) - seen_ < Half::capacity,
                   "I1 head <= tail + kCapacity");
+        // P4: own head. P1: the slot is complete
         half_->head.store(half_->head.load(std::memory_order_relaxed) + 1,
                           std::memory_order_release);
     }

@@ -11,8 +11,8 @@ namespace polyturn::params {
 
 namespace {
 
-// What is said of every row, in the languages that people read; the rows themselves are told by
-// words_of.
+// What is said of every row, in the languages that people read; the rows themselves are described
+// by words_of.
 struct Phrase {
     std::string_view english, russian, czech, hungarian;
 };

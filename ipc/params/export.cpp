@@ -91,7 +91,7 @@ std::string value_text(const Row& row, const Table& table, unsigned instance, un
     const std::size_t slot = slot_of(row, instance, element);
     if (row.type == Type::Text) return quoted_where_needed(text_at(table, slot));
     const double value = table.numbers[slot];
-    // Whole numbers without exponent, up to what a double holds exactly; the rest as the shortest
+    // Integers without exponent, up to what a double holds exactly; the rest as the shortest
     // digits that read back.
     if (row.type != Type::Real) return fmt::format("{:.0f}", value);
     return fmt::format("{}", value);

@@ -39,7 +39,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
     return above[to.size()];
 }
 
-// N, F, MD, PT, FG: what stands before the first digit, point or underscore.
+// N, F, MD, PT, FG: what precedes the first digit, point or underscore.
 std::string_view family(std::string_view number) {
     return number.substr(0, number.find_first_of("0123456789._"));
 }
@@ -66,7 +66,7 @@ std::span<const Row> rows() noexcept { return detail::kRows; }
 
 namespace {
 
-// What other controls call a value that stands here already. Lengths per minute in all of them.
+// What other controls call a value that exists here already. Lengths per minute in all of them.
 struct OtherName {
     std::string_view name, number;
 };

@@ -5,8 +5,8 @@
 //   forbidden outside   each axis by itself has an interval [low, high]: range 1, and range 2 with
 //                       N1001 EXT
 //   forbidden inside    ranges 2 and 3: a place is forbidden only if every axis that is enabled for
-//                       the range lies inside its
-//                       own interval: a box in the space of the channel's axes
+//                       the range lies inside its own interval: a box in the space of the channel's
+//                       axes
 //
 // Machine coordinates, mm (X as a radius) and degrees. Exactly on a limit is allowed.
 #pragma once

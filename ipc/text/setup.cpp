@@ -202,7 +202,7 @@ private:
             if (name == "X")
                 out.x = toml_.number(name, value);
             else if (name == "Y" || name == "B")
-                // the offsets of a B axis with programs of its own stand in the Y column
+                // the offsets of a B axis with programs of its own are in the Y column
                 // (fanuc_lathe 10.4)
                 out.y = toml_.number(name, value);
             else if (name == "Z")

@@ -1,6 +1,7 @@
 // What an operator would have entered before a run (cli.md 2): start positions, zeros, variables,
 // keys, offsets, tools, sensors. Read alike by command line, channel and store; who needs what:
-//   polyturn            machine, pos, keys, sensors          polyturn-toolmgmt   offsets, work, variables, tools
+//   polyturn            machine, pos, keys, sensors
+//   polyturn-toolmgmt   offsets, work, variables, tools
 //   polyturn-channel    clock, variables, subprograms, keys, tools
 // Values are as the file has them: X as the axis displays it (a diameter on a diameter axis),
 // lengths mm, angles degrees.

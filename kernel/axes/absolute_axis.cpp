@@ -1,6 +1,6 @@
 // Axes with absolute encoders (nct_parameters_part1 10.3, 10.4): moved while the power was off, its
 // encoder decoupled or its battery empty; and the rounds of an encoder that cannot count them
-// itself (N0900 CIR), kept in N0908.
+// itself (N0900 CIR), saved in N0908.
 #include <cmath>
 
 #include "kernel/tick/machine.hpp"

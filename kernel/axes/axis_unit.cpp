@@ -8,7 +8,7 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kIncrementsPerUnit = 1e6;  // nct_parameters_part1 3.3: 1e-6 mm or degree
 constexpr double kNoDriveStop = 999'999.0;  // PT_DRIVE_STOP
-constexpr double kSwitchOnS = 1.0;          // a drive that is told to operate does so by then
+constexpr double kSwitchOnS = 1.0;          // a drive that is commanded to operate does so by then
 constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;  // CiA 402: sensor
 }  // namespace
 
@@ -62,7 +62,7 @@ void AxisUnit::configure(const AxisConfig& config) noexcept {
     set_most();
     widen_limits();
     if (!drive_) return;
-    // A full scale (N0505) that begins to limit acts from standstill: what is under way was planned
+    // A full scale (N0505) that begins to limit acts from standstill: what moves now was planned
     // without it.
     ServoConfig servo = config.servo;
     limit_waits_ = moving_;
@@ -150,7 +150,7 @@ bool AxisUnit::mark_seen(double& machine) const noexcept {
 }
 
 // What the drive has just reported. An absolute encoder of few bits may at first be in another turn
-// than the one in which the axis was believed to be: then it is where the encoder says, and nothing
+// than the one in which the axis was assumed to be: then it is where the encoder says, and nothing
 // moves.
 void AxisUnit::read_encoder() noexcept {
     const bool first = count_.limited() && !count_.known();

@@ -5,9 +5,9 @@
 //
 //   cell i lies at (i - N2502) * N2501       between two cells linear, outside the last value holds
 //
-//   value |        *---.                     L: measured machine position. The direction of travel is the encoder's; it
-//         |   .---'     '.                   changes when the axis has come kReversal back.
-//         |--*            '*--
+//   value |        *---.                     L: measured machine position. The direction of
+//         |   .---'     '.                   travel is the encoder's; it changes when the axis has
+//         |--*            '*--               come kReversal back.
 //         +--10499--10500--10501---> L
 //
 // The sum is not output directly: it is followed within a share of the axis' speed, acceleration

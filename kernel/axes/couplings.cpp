@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn::kernel {
 namespace p = params;
 namespace {
@@ -87,6 +89,12 @@ void Couplings::place_masters_first() noexcept {
                 }
         }
     }
+    PT_ASSERT(std::ranges::none_of(links_,
+                                   [&](const Link& link) {
+                                       return (link.sync.master || link.add.master) &&
+                                              !placed[static_cast<std::size_t>(&link - &links_[0])];
+                                   }),
+              "masters before their slaves: all that follow are placed");
 }
 
 bool Couplings::rests(const Core& core, std::size_t a) const noexcept {

@@ -1,9 +1,9 @@
 // Coupled axes: synchronous, superimposed, gantry and exchanged ones (nct_parameters_part2 22,
 // architecture 5.8).
 //
-//   channels, jogs --own target of each axis-->  [ superimposed: + s * way of the master since
-//   switch-on ]
-//                                                [ synchronous:  own target := s * way of the master     ]  --> target()
+//   own target of each axis -->  [ superimposed:  + s * travel of the master since switch-on ]
+//   (channels, jogs)             [ synchronous:   own target := s * travel of the master     ]  -->
+//                                                                                       target()
 //
 // An axis' own command and its position are two numbers of AxisUnit: own() and command(). A
 // superimposed axis adds its master's travel to its own; a synchronous one has no travel of its

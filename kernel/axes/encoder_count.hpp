@@ -2,10 +2,11 @@
 // N0524, 10.3).
 //
 //   raw  0 ........ 2^bits-1 | 0 ........ 2^bits-1 | 0 ...        what the drive delivers
-//        round -1            | round 0             | round 1      counted while it is on, a jump of more than half is a round
+//        round -1            | round 0             | round 1      counted here
 //
-// At power-on the round is not known. With N0900 CIR it was kept (N0908); without it the nearest
-// position to N0907 is meant, so that an encoder may roll over within the working room.
+// While it is on, a jump of more than half counts a round. At power-on the round is not known. With
+// N0900 CIR it was saved (N0908); without it the nearest position to N0907 is meant, so that an
+// encoder may roll over within the work area.
 #pragma once
 #include <cstdint>
 

@@ -14,7 +14,7 @@ void InclinedSlides::configure(const p::Table& table, const KernelConfig& config
             continue;
         }
         slides_[l - 1] = {};
-        // as programs count them: places of named axes in ascending order
+        // as programs count them: indices of named axes in ascending order
         std::array<std::uint32_t, kChannelAxes> axes{};
         unsigned count = 0;
         int x = -1, z = -1;

@@ -5,7 +5,8 @@
 //   cmd --mean (N0421 JRK)----> c
 //   c --LP T1--> p1 --LP T2, delay TD--> pe --(-)--> e --K, threshold--> + --> speed
 //                  |                        act -'                         |
-//                  '--- A (dp1/dt + 2d/w d2p1/dt2) ------------------------'   + reversal and start boosts
+//                  '--- A (dp1/dt + 2d/w d2p1/dt2) ------------------------'   + reversal and
+//                                                                                start boosts
 //
 // The encoder is read at a tick's beginning and used in the next tick, together with the command of
 // the same moment: a reading that is a tick late leaves no error behind. 2d/w is the lag of the

@@ -130,7 +130,7 @@ void Machine::start_jog(Permit, std::uint32_t a, double sign, double speed, doub
     if (jogs_[a].active()) axis.owner = 0;
 }
 
-// One click: an increment of the channel (N0105) as often as the PLC's switch says.
+// One detent: an increment of the channel (N0105) as often as the PLC's switch says.
 double Machine::handwheel_increment(std::uint32_t address) const noexcept {
     const AxisConfig& axis = core_.config.axes[address];
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
@@ -231,8 +231,8 @@ void Machine::turn_on(std::uint32_t a, double sign, double way) noexcept {
     handwheel_turned_[a] = core_.tick + 1;
 }
 
-// A key that is a start. What is refused is not kept: nothing moves when the machine is switched on
-// again.
+// A key that is a start. What is refused is not stored: nothing moves when the machine is switched
+// on again.
 void Machine::begin_return(std::uint32_t channel) noexcept {
     if (channel == 0 || channel > kMaxChannels) return;
     ChannelRunner& runner = *channels_[channel - 1];

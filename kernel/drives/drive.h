@@ -1,9 +1,11 @@
-/* The one interface behind which every drive lies (architecture 5.11): field bus, analog card or simulation. Plain C, so
- * that a machine builder's shared object can provide it; words, states and modes are those of CiA 402.
+/* The one interface behind which every drive lies (architecture 5.11): field bus, analog card or
+ * simulation. Plain C, so that a machine builder's shared object can provide it; words, states and
+ * modes are those of CiA 402.
  *
- * Each tick the kernel calls exchange() once: it hands over the command for the tick that begins and takes what the drive
- * measured. exchange() runs in the cyclic thread: it must not allocate, lock, or enter the system.
- * Increments are whole numbers; the kernel carries the remainder of its doubles, so nothing is lost however long it runs. */
+ * Each tick the kernel calls exchange() once: it hands over the command for the tick that begins
+ * and takes what the drive measured. exchange() runs in the cyclic thread: it must not allocate,
+ * lock, or enter the system. Increments are whole numbers; the kernel carries the remainder of its
+ * doubles, so nothing is lost however long it runs. */
 #ifndef POLYTURN_KERNEL_DRIVES_DRIVE_H
 #define POLYTURN_KERNEL_DRIVES_DRIVE_H
 #include <stdint.h>
@@ -34,14 +36,14 @@ extern "C" {
 #define POLYTURN_DRIVE_HOMING_FAILED 0x2000u
 
 /* Modes of operation (object 6060h). */
-#define POLYTURN_DRIVE_MODE_VELOCITY 9 /* cyclic synchronous velocity; the position loop is the kernel's */
+#define POLYTURN_DRIVE_MODE_VELOCITY 9 /* cyclic synchronous velocity; the kernel closes the loop */
 #define POLYTURN_DRIVE_MODE_POSITION 8 /* cyclic synchronous position */
 #define POLYTURN_DRIVE_MODE_HOMING 6   /* the drive finds its zero by itself (N0900 = 24) */
 
 /* Touch probe function (60B8h) and status (60B9h): bit 0 probe 1 armed / seen. */
 #define POLYTURN_DRIVE_PROBE_ARMED 0x0001u
-/* Trigger by the encoder's zero pulse or the next mark of a distance-coded scale; seen: probe_position is the latched one,
- * for the one exchange that follows its passing. */
+/* Trigger by the encoder's zero pulse or the next mark of a distance-coded scale; seen:
+ * probe_position is the latched one, for the one exchange that follows its passing. */
 #define POLYTURN_DRIVE_MARK_ARMED 0x0004u
 #define POLYTURN_DRIVE_MARK_SEEN 0x0004u
 
@@ -61,7 +63,7 @@ typedef struct PolyturnDriveCommand {
     uint16_t touch_probe;
     int64_t target_velocity;      /* thousandths of an increment per second */
     int64_t target_position;      /* increments; mode position only */
-    uint16_t simulate;            /* POLYTURN_SIMULATE_...; for simulated drives, a real one ignores it */
+    uint16_t simulate;            /* POLYTURN_SIMULATE_...; a real drive ignores it */
     uint16_t reserved[3];
 } PolyturnDriveCommand;
 
@@ -71,10 +73,11 @@ typedef struct PolyturnDriveStatus {
     uint16_t touch_probe;
     uint8_t brake_open;
     uint8_t limited;              /* 1: it gives no more torque than torque_limit */
-    int64_t position;             /* increments, latched as this exchange begins: used one tick later */
+    int64_t position;             /* increments, latched as exchange() begins, used a tick later */
     int64_t probe_position;       /* increments */
     int16_t torque;               /* 6077h, thousandths of the rated torque */
-    uint16_t lost;                /* cycles that this answer is old beyond the usual one: position is extrapolated. 0: fresh */
+    uint16_t lost;                /* cycles that this answer is older than usual: the position is
+                                     extrapolated; 0: new */
     int16_t reserved[2];
 } PolyturnDriveStatus;
 
@@ -89,11 +92,14 @@ typedef struct PolyturnDriveSetup {
     double backlash;              /* play between motor and slide, units */
     double friction;              /* standing, it does not break away below this command, units/s */
     double drift;                 /* speed without a command, units/s */
-    double mark_distance;         /* units between zero pulses, or between the fixed marks of a coded scale; 0 none */
-    double mark_periods;          /* coded scale: signal periods between two fixed marks; 0: not coded */
+    double mark_distance;         /* units between zero pulses, or between the fixed marks of a
+                                     coded scale; 0 none */
+    double mark_periods;          /* coded scale: signal periods between fixed marks; 0 none */
     double mark_origin;           /* position of a mark, units; of the scale's zero */
-    double stop_at;               /* something stands there that the slide cannot push away going up; 0 with has_stop 0 */
-    double hold_at;               /* once the slide was above it, something holds it there going down; 0 with has_hold 0 */
+    double stop_at;               /* an obstacle that the slide cannot push away going up; 0 with
+                                     has_stop 0 */
+    double hold_at;               /* once the slide was above it, it is held there going down; 0
+                                     with has_hold 0 */
     uint8_t at_slide;             /* 1: measured behind the play */
     uint8_t motor_reversed, encoder_reversed;  /* wired so: the kernel's signs undo it */
     uint8_t has_stop, has_hold;
@@ -108,9 +114,15 @@ typedef struct PolyturnDriveApi {
 } PolyturnDriveApi;
 
 /* A fault, or on the way into it: bit 5 (quick stop) says nothing there. */
-static inline int polyturn_drive_has_fault(uint16_t status) { return (status & 0x004Fu) == POLYTURN_DRIVE_FAULT || (status & 0x004Fu) == POLYTURN_DRIVE_FAULT_REACTION; }
-static inline int polyturn_drive_operates(uint16_t status) { return (status & POLYTURN_DRIVE_STATE_MASK) == POLYTURN_DRIVE_OPERATING; }
-/* The next control word on the way to operation, a state at a time; off: voltage disabled by way of ready. */
+static inline int polyturn_drive_has_fault(uint16_t status) {
+    return (status & 0x004Fu) == POLYTURN_DRIVE_FAULT ||
+           (status & 0x004Fu) == POLYTURN_DRIVE_FAULT_REACTION;
+}
+static inline int polyturn_drive_operates(uint16_t status) {
+    return (status & POLYTURN_DRIVE_STATE_MASK) == POLYTURN_DRIVE_OPERATING;
+}
+/* The next control word on the way to operation, a state at a time; off: voltage disabled by way of
+ * ready. */
 static inline uint16_t polyturn_drive_next(uint16_t status, int on) {
     if (!on) return POLYTURN_DRIVE_SHUTDOWN;
     switch (status & POLYTURN_DRIVE_STATE_MASK) {

@@ -1,7 +1,7 @@
 // The kernel's side of drive_segment.h: drives that live in a process of their own.
 //
-//   begin()      takes the newest statuses       } once a tick each, around all exchanges of the tick;
-//   exchange()   a drive's command and status    } none of them enters the system
+//   begin()      takes the newest statuses       } begin() and end() once a tick, around all
+//   exchange()   a drive's command and status    } exchanges of it; none of them enters the system
 //   end()        publishes the commands          }
 //
 // The clock does what must enter the system: it wakes the drive process, in virtual time it waits
@@ -24,7 +24,7 @@ public:
     // Makes the command segment of the instance. Not in the cyclic thread.
     static Result<std::unique_ptr<SegmentDrives>> create(std::string instance, bool is_virtual);
 
-    // open() takes the slot from the setup's number; spindles stand behind the axes.
+    // open() takes the slot from the setup's number; spindles follow the axes.
     const PolyturnDriveApi& axis_api();
     const PolyturnDriveApi& spindle_api();
 

@@ -1,5 +1,5 @@
-// Motion needs a permit: every way in which an axis can begin to move, and the conditions that must
-// hold before.
+// Motion needs a permit: every cause for which an axis can begin to move, and the conditions that
+// must hold before.
 //
 // One row per entry, the same as in docs/design/motion-starts.md (a test compares and executes
 // them). Grounds are the conditions that entries share; a condition of one entry only (a state, a
@@ -7,13 +7,11 @@
 //
 // Invariants
 //   G1  Jogs, reference runs and superposed handwheels begin with a Permit, programs and blocks by
-//   hand with a StartPermit; only
-//       ask() makes them, and a Permit is no StartPermit.
-//   G2  A permit is used where it was given: it is no member of anything and outlives no tick. G3
-//   What was refused is not kept: nothing moves when the ground comes back. Doors that wait for
-//   something (a way back, an
-//       order of reference points, pulses of a wheel) ask again when their turn comes, and forget
-//       the wish when it is refused.
+//       hand with a StartPermit; only ask() makes them, and a Permit is no StartPermit.
+//   G2  A permit is used where it was given: it is no member of anything and outlives no tick.
+//   G3  What was refused is not stored: nothing moves when the ground comes back. Doors that wait
+//       for something (a return, an order of reference points, pulses of a handwheel) ask again
+//       when their turn comes, and forget the request when it is refused.
 //   G4  Entering a block, selecting, changing the mode, attaching, an imported parameter make no
 //       permit.
 #pragma once

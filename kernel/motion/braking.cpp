@@ -12,14 +12,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // --- What counts as nothing. Speeds of a path are 1e-3 to 1e3 mm/s, lengths up to 1e4 mm; a double
 // has 16 digits, and the closed forms below lose about half of them in square roots.
 
-// A speed above a ceiling by less than this is rounding: braking that was planned to meet the
-// ceiling exactly is looked at again one tick later.
-constexpr double kCeilingRounding = 1e-7;
+// A speed above a speed limit by less than this is rounding: braking that was planned to meet the
+// speed limit exactly is checked again one tick later.
+constexpr double kSpeedRounding = 1e-7;
 // The acceleration may exceed what a stretch allows by this much where it is entered, and a piece
 // counts as braking with all there is when this little is missing: p is aimed at estimates of the
 // speed at the border, which are no better.
 constexpr double kEntering = 2e-3;
-// mm/s and mm/s2: below both the path stands.
+// mm/s and mm/s2: below both the path is at standstill.
 constexpr double kAtRest = 1e-9;
 // Of the speed aimed at: it has been reached.
 constexpr double kAtAim = 1e-9;
@@ -41,12 +41,13 @@ constexpr double kEndAcceleration = 1e-5, kEndAccelerationFloor = 1;  // -, mm/s
 // each, so the lower half may have more jerk). With a constant jerk J the speed that p costs is
 // p^2 / (2 J), and p/2 costs a quarter of it; so the upper half takes three quarters.
 constexpr double kUpperShare = 0.75, kLowerShare = 0.25;
-// The way of a release to a stand is J t^3/6 = v t/3, since v = J t^2/2: a third of v on average.
+// The travel of a release to standstill is J t^3/6 = v t/3, since v = J t^2/2: a third of v on
+// average.
 constexpr double kReleaseMeanSpeed = 3;  // v divided by this
 constexpr double kSpeedAtHalf = 4;       // v divided by this is left where p/2 is left
 
 // --- Pieces on bends, where limits depend on speed. Shorter pieces lose less (limits.hpp: each is
-// judged at its beginning), and cost more. Tuned with tests/bench/motion_bench.
+// checked at its beginning), and cost more. Tuned with tests/bench/motion_bench.
 
 // Pieces of a braking on a bend that takes all of what there is, about.
 constexpr double kPiecesOnBend = 12;
@@ -109,7 +110,7 @@ constexpr double kEarlier = 0.7;
 // --- Newton for the time at which a place is reached.
 constexpr int kNewtonRounds = 60;          // bisection alone needs 44
 constexpr double kNewtonRelative = 1e-13;  // of the longest time: near the last digits
-// mm/s: keep the quotient finite where the path nearly stands.
+// mm/s: keep the quotient finite where the path is nearly at standstill.
 constexpr double kLeastSpeedFirst = 1e-9, kLeastSpeed = 1e-12;
 
 // --- Has a place been passed slowly enough (arrives)?
@@ -170,7 +171,7 @@ struct Braking::Release {
 //     begin          which stretch is it on
 //     end_rise       a > 0 is released
 //     choose_aim     how slow must it become: a stand, or first the speed of the aim
-//     to_stand       pieces of p until it stands. Each:
+//     to_stand       pieces of p until standstill. Each:
 //         change         how may p change, for how long (up to what is allowed, and on with it)
 //         release_time   when must its release begin, so that the speed suffices for it
 //         time_to_lower  when must it be lowered, so that the stretches ahead allow it
@@ -223,14 +224,14 @@ private:
     const Stretch* now_ = nullptr;  // where the state is
     std::uint32_t stretch_ = 0;     // its number
     double border_ = 0;             // where it ends
-    bool obey_, gentle_;            // ceilings count; p is lowered earlier than it seems necessary
-    double strict_;                 // from there on it is lowered in time, before that hoped for
-    const Aim* aim_;                // null: none, or it is behind
-    double least_ = 0;              // w, the speed to brake to
+    bool obey_, gentle_;  // speed limits count; p is lowered earlier than it seems necessary
+    double strict_;       // from there on it is lowered in time, before that hoped for
+    const Aim* aim_;      // null: none, or it is behind
+    double least_ = 0;    // w, the speed to brake to
     // s: a piece on a bend that takes all of what there is; infinity: not chosen yet
     double step_ = kInfinity;
     std::uint32_t near_count_ = 0;
-    // What is looked at of the road: stretches on which a release goes on are few, and a seventh
+    // What is read of the road: stretches on which a release goes on are few, and a seventh
     // is seen by the next piece.
     static constexpr std::size_t kNear = 6;
     std::array<const Stretch*, kNear> near_;
@@ -243,7 +244,7 @@ bool Braking::Walk::begin() noexcept {
     while ((now_ = road_.stretch(stretch_)) != nullptr && road_.end_of(stretch_) <= s) ++stretch_;
     if (now_ == nullptr) return false;
     border_ = road_.end_of(stretch_);
-    if (obey_ && !(state().v <= now_->ceiling * (1 + kCeilingRounding))) return false;
+    if (obey_ && !(state().v <= now_->speed_limit * (1 + kSpeedRounding))) return false;
     // Already there with more: it can only be lowered. Nothing leads there.
     const PathState& first = state();
     return !(std::abs(first.a) > limits().acceleration(first.v) * (1 + kEntering) &&
@@ -255,7 +256,7 @@ bool Braking::Walk::enter() noexcept {
     if (now_ == nullptr) return false;
     border_ = road_.end_of(stretch_);
     const PathState& x = state();
-    if (obey_ && x.v > now_->ceiling * (1 + kCeilingRounding)) return false;
+    if (obey_ && x.v > now_->speed_limit * (1 + kSpeedRounding)) return false;
     if (std::abs(x.a) <= now_->limits.acceleration(x.v) * (1 + kEntering)) return true;
     b_.refused_ = now_->begin;
     return false;
@@ -279,7 +280,7 @@ bool Braking::Walk::add(double time, double jerk, bool& cut) noexcept {
     b_.jerk_[i] = jerk;
     b_.limits_[i] = &now_->limits;
     b_.at_[i + 1] = end;
-    if (obey_ && end.v > now_->ceiling * (1 + kCeilingRounding) && end.v > x.v) return false;
+    if (obey_ && end.v > now_->speed_limit * (1 + kSpeedRounding) && end.v > x.v) return false;
     return !cut || enter();
 }
 
@@ -317,7 +318,7 @@ double Braking::Walk::time_to_lower(double rate, double top, double jerk, double
     for (std::uint32_t k = 0; k < near_count_ && near_[k]->begin < before; ++k) {
         const Limits& there = near_[k]->limits;
         const double way = near_[k]->begin - x.s, before_it = jerk;
-        double v = obey_ ? std::min(x.v, near_[k]->ceiling) : x.v, a = there.acceleration(v),
+        double v = obey_ ? std::min(x.v, near_[k]->speed_limit) : x.v, a = there.acceleration(v),
                long_enough = way / x.v;
         // It brakes at least so much on the way, so it is no faster there; and the slower, the more
         // is allowed, the less it must be lowered.
@@ -343,9 +344,9 @@ double Braking::Walk::time_to_lower(double rate, double top, double jerk, double
 }
 
 // Releasing p on the way to a speed: the jerk of each half, and the speed that it takes. With
-// constant jerk to a stand v falls as the power 2/3 of the way that is left and p as the power 1/3
-// (v = J t^2/2, p = J t, way = J t^3/6 before the end); where a stretch is entered its limits
-// count. To a speed w > 0 the way goes nearly as the time, and so does p.
+// constant jerk to standstill v falls as the power 2/3 of the travel that is left and p as the
+// power 1/3 (v = J t^2/2, p = J t, way = J t^3/6 before the end); where a stretch is entered its
+// limits count. To a speed w > 0 the travel grows nearly as the time, and so does p.
 Braking::Release Braking::Walk::release(double s, double v, double p, double to) const noexcept {
     if (!(p > 0)) return {limits().jerk(v, 0), limits().jerk(v, 0), 0};
     if (limits().flat() && near_count_ == 0)
@@ -540,7 +541,7 @@ bool Braking::Walk::to_stand() noexcept {
             settle(0, 0);
             return true;
         }
-        // steadily to the aim, through whatever lies between, and then to a stand
+        // steadily to the aim, through whatever lies between, and then to standstill
         if (aim_ != nullptr && p <= kAtRest && v <= least_ * (1 + kAtAim)) {
             if (b_.arrival_ == 0) b_.arrival_ = b_.count_;
             if (x.s >= aim_->at) {
@@ -558,7 +559,8 @@ bool Braking::Walk::to_stand() noexcept {
         const double most = std::min(allowed_here, cap());
         Change c;
         if (!change(i, most, rise, c)) return false;
-        // What is to come within the way on which p, or what it may become here, could be released.
+        // What is to come within the travel on which p, or what it may become here, could be
+        // released.
         look(v * c.top / rise);
         const double release_at = release_time(c);
         // What there is ahead may be less than here.
@@ -648,7 +650,7 @@ bool Braking::walk(Road& road, const PathState& from, bool obey, bool gentle, do
 // c: mm/s, d: mm on the road. On the way, at x, releasing at once ends at rest(x); that falls along
 // the braking. So there is one place from which the release ends at c, and it must end before d.
 bool Braking::arrives(double c, double d) const noexcept {
-    const double at_most = c * (1 + kCeilingRounding);
+    const double at_most = c * (1 + kSpeedRounding);
     if (peak_ <= at_most) return true;
     const auto rest = [&](const PathState& x, std::uint32_t i) {
         return x.v - release_drop(x.v, -x.a, *limits_[i]);

@@ -29,11 +29,12 @@
 //   I3  Its pieces follow each other in time: none takes less than nothing.
 //
 // Right     Every piece is within the limits of its stretch, and every stretch is entered below its
-//           ceiling, or possible() is false. So a braking that was possible once can be followed to
-//           its end whatever else comes into view.
+//           speed limit, or possible() is false. So a braking that was possible once can be
+//           followed to its end whatever else comes into view.
 // Cost      a line: some 6 pieces; a bend: 6 to 20, each a handful of square roots, 20 to 50 ns.
-// Weakness  not quite the hardest braking on bends (a percent or two of the way), and sometimes
-//           none is found where there is one; both cost time only, for the promise before stands.
+// Weakness  not quite the hardest braking on bends (a percent or two of the travel), and sometimes
+//           none is found where there is one; both cost time only, for the profile committed before
+//           still holds.
 #pragma once
 #include "kernel/motion/jerk_profile.hpp"
 #include "kernel/motion/road.hpp"

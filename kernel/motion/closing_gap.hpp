@@ -5,8 +5,12 @@
 //   e |--.
 //     |    '-.
 //     |       '-.._
-//     +-------------''----> t          cost: 16 multiplications a tick. Weakness: it looks at no limit; the time decides how
-//     0             time               hard it asks, and the caller chooses it (ThreadFollower, LineFollower).
+//     +-------------''----> t
+//     0             time
+//
+// Cost      16 multiplications a tick.
+// Weakness  It knows no limit; the time decides how much acceleration and jerk it asks for, and the
+//           caller chooses it (ThreadFollower, LineFollower).
 #pragma once
 
 namespace polyturn::kernel {

@@ -1,19 +1,23 @@
 // Changing speed under limits of acceleration and jerk, in closed form.
 //
 //   a |  .
-//     | / \   j = -J                 (v, a) -> (w, 0) as fast as can be: a falls to -p, holds, returns to 0.
-//     |/   \                         p <= A. If releasing at once (a -> 0) already ends below w, the mirror image:
-//     +-----\------------/---> t     a rises to +p. Time-optimal, and of all ways to brake it is the lowest in speed
-//     |      \          /            at every point of the path, so also the shortest.
+//     | / \   j = -J                 (v, a) -> (w, 0) as fast as can be: a falls to -p, holds,
+//     |/   \                         returns to 0; p <= A. If releasing at once (a -> 0) already
+//     +-----\------------/---> t     ends below w, the mirror image: a rises to +p.
+//     |      \          /
 //     |       '--------'  -p
 //
+// It is time-optimal, and of all profiles that brake the lowest in speed at every point of the
+// path, so also the shortest.
+//
 // Given    v, a; w; A, J. The speed at which releasing at once ends: release = v + a|a|/(2J).
-// Braking  (release > w)   p^2 = J (v - w) + a^2/2, at most A^2;  hold = (v + a^2/(2J) - p^2/J - w) / p       (1)
+// Braking  (release > w)   p^2 = J (v - w) + a^2/2, at most A^2;                            (1)
+//                          hold = (v + a^2/(2J) - p^2/J - w) / p
 //          a < -A at the start: jerk +J to -A first; (1) holds with that state.
 // Cost     One square root.
 // The trap: the distance to (w, 0) is not monotonous in w; to a crawl it can be longer than to a
-// stop. For a fixed start
-//          it rises and then falls as w grows from 0, so the least over [0, w] lies at an end.
+//          stop. For a fixed start it rises and then falls as w grows from 0, so the least over
+//          [0, w] lies at an end.
 // Source   Biagiotti, Melchiorri: Trajectory Planning for Automatic Machines and Robots, 2008,
 //          section 3.4.
 #pragma once

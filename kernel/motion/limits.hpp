@@ -5,15 +5,14 @@
 //     acceleration   t a                + n k v^2
 //     jerk           t (j - k^2 v^3)    + n (3 k v a + k' v^3)
 // so that, with bend k, turning 3 k, along k^2 and across |k'| the largest of a record (in general:
-// channels/path/ceilings.hpp),
-//     a^2 + (bend v^2)^2                                      <= A^2                                         (1)
-//     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= J^2                                         (2)
+// channels/path/record_limits.hpp),
+//     a^2 + (bend v^2)^2                                      <= A^2                      (1)
+//     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= J^2                      (2)
 // keep the axes within A and J. On a line the four are 0 and A and J are all there is (`flat`).
 //
 // Right     Both leave the more the smaller v is: what is allowed at some speed is allowed at any
-//           lower one. So a braking
-//           whose pieces are each judged at their highest speed and acceleration keeps (1) and (2)
-//           all along.
+//           lower one. So a braking whose pieces are each checked at their highest speed and
+//           acceleration keeps (1) and (2) all along.
 // Cost      A square root or two.
 #pragma once
 #include <algorithm>

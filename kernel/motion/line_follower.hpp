@@ -2,18 +2,22 @@
 // the hob, a polygon cutter the workpiece. From any state at its beginning it reaches the line
 // within its speed, acceleration and jerk, and stays on it.
 //
-//   s |              .-'  line + offset         Closing  the gap e = s - (line + offset) runs to 0 as the quintic in time that
-//     |          .-'.'                                   begins at (e, e', e'') and ends in (0, 0, 0)
-//     |  follower_.'                            On line  the line is an estimate with an encoder's noise in it; the follower is
-//     |_________.'                                       a triple integrator whose jerk is what the deviation asks for, within
-//     +---------|---------> t                            the limits: noise moves nothing but jerk (as in thread_follower.hpp)
+//   s |              .-'  line + offset
+//     |          .-'.'
+//     |  follower_.'
+//     |_________.'
+//     +---------|---------> t
+//     Closing     On line
 //
-// Offset   Aim::Exactly 0; Aim::Period whole multiples of a period (a phase: any turn will do),
-//          Aim::Anywhere whatever the
-//          gentlest way onto the line leaves. The gentlest one starts |e'| T/2 beside the line and
-//          asks for 1.5 |e'|/T of
-//          acceleration and 6 |e'|/T^2 of jerk; what else is between them asks for 5.78 r/T^2 and
-//          60 r/T^3.
+// Closing  The gap e = s - (line + offset) runs to 0 as the quintic in time that begins at
+//          (e, e', e'') and ends in (0, 0, 0).
+// On line  The line is an estimate with an encoder's noise in it; the follower is a triple
+//          integrator whose jerk is what the deviation asks for, within the limits: noise moves
+//          nothing but jerk (as in thread_follower.hpp).
+// Offset   Aim::Exactly 0; Aim::Period integer multiples of a period (a phase: any turn will do),
+//          Aim::Anywhere whatever the gentlest approach to the line leaves. The gentlest one starts
+//          |e'| T/2 beside the line and asks for 1.5 |e'|/T of acceleration and 6 |e'|/T^2 of jerk;
+//          what else is between them asks for 5.78 r/T^2 and 60 r/T^3.
 // Share    Closing uses a part of the limits, the rest is the line's own motion.
 // Cost     A search of at most 64 steps in the tick in which it begins; then some ten
 //          multiplications a tick.

@@ -17,7 +17,7 @@ constexpr double kLeastLimit = 1e-6;
 constexpr double kJerkSteps = 100;
 // mm: less than this before an exact stop is rounding of the stop before, and not driven.
 constexpr double kNothingLeft = 1e-9;
-// mm/s: where the path must stand it may arrive with no more; more is counted (anomalies()).
+// mm/s: where the path must stop it may arrive with no more; more is counted (anomalies()).
 constexpr double kStandstillSpeed = 1e-3;
 }  // namespace
 
@@ -53,7 +53,7 @@ void PathPlanner::clear(std::uint64_t next) noexcept {
     groups_[next % kPlannerWindow / kGroup].stops = true;  // the group that begins half filled
     state_ = {};
     began_ = done_ = false;
-    forget_promise();
+    drop_committed();
     block_latch_ = landing_end_ = kNone;
     block_done_ = false;
     appended_ = 0;
@@ -116,7 +116,7 @@ void PathPlanner::skip(std::uint64_t to) noexcept {
     state_ = {};
     began_ = done_ = false;
     landing_end_ = kNone;
-    forget_promise();
+    drop_committed();
     if (block_latch_ != kNone && block_latch_ < first_) block_latch_ = kNone;
 }
 
@@ -128,9 +128,9 @@ void PathPlanner::stand_before(std::uint64_t record) noexcept {
     if (record >= first_ && record < end_) at(record).stop_before = true;
 }
 
-double PathPlanner::ceiling_of(const PlannedRecord& slot, Ceilings which,
-                               const PathInput& input) const noexcept {
-    if (which == Ceilings::Hard || !(slot.length > 0)) return slot.v_max;
+double PathPlanner::speed_limit_of(const PlannedRecord& slot, SpeedLimits which,
+                                   const PathInput& input) const noexcept {
+    if (which == SpeedLimits::Hard || !(slot.length > 0)) return slot.v_max;
     double wanted = slot.feed;
     if (slot.feed_mode == FeedMode::Rapid) {
         wanted = slot.v_max * input.rapid_override;
@@ -170,7 +170,8 @@ Stands PathPlanner::leave_standstill(const PathInput& input, PathStep& step) noe
         if (state_.s == 0 && slot.stop_before) return Stands::BeforeRecord;
         if (slot.length - state_.s > 0) {
             if (input.hold) return Stands::Held;
-            return ceiling_of(slot, Ceilings::Wanted, input) > 0 ? Stands::Moving : Stands::NoFeed;
+            return speed_limit_of(slot, SpeedLimits::Wanted, input) > 0 ? Stands::Moving
+                                                                        : Stands::NoFeed;
         }
         // A note: over as soon as it is reached.
         if (!began_) {
@@ -249,7 +250,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
     if (step.stands == Stands::Moving) {
         if (input.emergency_dec > 0) {
             landing_end_ = kNone;
-            forget_promise();
+            drop_committed();
             const double time = std::min(dt_, state_.v / input.emergency_dec);
             carry({time * (state_.v - input.emergency_dec * time / 2),
                    time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0},
@@ -268,7 +269,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
         if (at_rest() && !done_ && input.hold) step.stands = Stands::Held;
     }
     PT_ASSERT(state_.v >= 0, "I2 the path never goes backwards");
-    PT_ASSERT(promise_time_ < 0 || promise_.possible(), "I3 what is promised was possible");
+    PT_ASSERT(committed_time_ < 0 || committed_.possible(), "I3 what is committed was possible");
     step.record = first_;
     step.s = state_.s;
     step.speed = state_.v;

@@ -4,17 +4,17 @@
 // The kernel hands over records one by one (append) and then asks each tick for a step; the planner
 // knows lengths and speed limits only, never geometry. Record numbers are the ring's own indices.
 //
-//     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
-//     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record,
-//     stands_before))
+//     planner.clear(next ring index)      at attach, reset, new epoch: the path is at standstill
+//     while (planner.wants_record() && ring has more)
+//         planner.append(PlannedRecord::from(record, stands_before));
 //     const PathStep step = planner.tick(input);
 //         records [began_from, began_to) began in this tick, at the part planner.begin_fraction(i)
-//         of it (0 to 1)
+//             of it (0 to 1)
 //         records [ended_from, ended_to) ended in this tick, at planner.end_fraction(i)
 //         position: record step.record at step.s; before the first append after clear() it means
 //         nothing (record == next)
-//     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then
-//     planner.skip(step.record + 1)
+//     step.stands != Moving says why the path is at standstill; BeforeRecord: execute step.record,
+//     then planner.skip(step.record + 1)
 //
 // Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a
 // wait. Notes of length 0 that need no standstill (Variable, Offset, SpindleSpeed) are appended
@@ -24,7 +24,7 @@
 // Invariants
 //   I1  Records [first, end) are in the window, fewer than it has slots.
 //   I2  The path never goes backwards: speed >= 0 behind every tick.
-//   I3  What is promised is a braking that was possible.
+//   I3  What is committed is a braking that was possible.
 // How it works, why it is right and what is weak: path_decision.cpp.
 #pragma once
 #include <array>
@@ -102,7 +102,7 @@ struct PathStep {
 
 class PathPlanner {
 public:
-    // dt: tick in seconds. horizon: records looked at (PT_HORIZON).
+    // dt: tick in seconds. horizon: records that are considered (PT_HORIZON).
     void configure(double dt, std::uint32_t horizon) noexcept;
     // Forget everything; the next appended record is number `next`; the path is stopped.
     void clear(std::uint64_t next) noexcept;
@@ -169,11 +169,11 @@ private:
         bool override_locked, mixed;  // the three above differ
         bool stops, block_ends;
     };
-    enum class Ceilings : std::uint8_t { Hard, Wanted };
+    enum class SpeedLimits : std::uint8_t { Hard, Wanted };
     // What lies ahead, read from the window as far as needed (path_view.cpp).
     class View final : public Road {
     public:
-        void begin(PathPlanner& planner, Ceilings which, const PathInput& input) noexcept;
+        void begin(PathPlanner& planner, SpeedLimits which, const PathInput& input) noexcept;
         // The same for a tick that begins at x on the road, from what the stretches say. False: the
         // road ends there.
         [[nodiscard]] bool around(const PathState& x) noexcept;
@@ -182,7 +182,7 @@ private:
         // leads to is released?
         [[nodiscard]] bool rises(const PathState& x) noexcept;
 
-        double ceiling = 0;  // over what a tick can touch
+        double speed_limit = 0;  // over what a tick can touch
         // over what a tick can touch, at the speed and acceleration that it can come to
         Limits tick;
         std::uint32_t within = 0;  // the stretch where it begins
@@ -192,12 +192,12 @@ private:
     private:
         void more() noexcept override;
         void narrow_tick(const Limits& touched, const PathState& x, double highest) noexcept;
-        void join(const PlannedRecord& record, double ceiling) noexcept;
+        void join(const PlannedRecord& record, double speed_limit) noexcept;
         bool pass_group() noexcept;
         PathPlanner* planner_ = nullptr;
         const PathInput* input_ = nullptr;
-        Ceilings which_ = Ceilings::Hard;
-        std::uint64_t record_ = 0;  // the last that was looked at
+        SpeedLimits which_ = SpeedLimits::Hard;
+        std::uint64_t record_ = 0;  // the last that was read
         double known_ = 0;          // where it ends
         double reach_ = 0;          // how far this tick can lead
         double fast_ = 0;           // no limit above it matters
@@ -216,23 +216,23 @@ private:
     [[nodiscard]] Slot& at(std::uint64_t record) noexcept {
         return slots_[record % kPlannerWindow];
     }
-    [[nodiscard]] double ceiling_of(const PlannedRecord& record, Ceilings which,
-                                    const PathInput& input) const noexcept;
+    [[nodiscard]] double speed_limit_of(const PlannedRecord& record, SpeedLimits which,
+                                        const PathInput& input) const noexcept;
     void add_to_group(std::uint64_t record) noexcept;
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
     [[nodiscard]] Step step_towards(double speed, const Limits& limits) const noexcept;
     [[nodiscard]] double speed_at(const Step& step, double distance) const noexcept;
-    [[nodiscard]] bool comes_to_rest(View& view, Ceilings which, const PathState& x) noexcept;
-    void promise(Ceilings which) noexcept;
-    void forget_promise() noexcept;
+    [[nodiscard]] bool comes_to_rest(View& view, SpeedLimits which, const PathState& x) noexcept;
+    void commit(SpeedLimits which) noexcept;
+    void drop_committed() noexcept;
     [[nodiscard]] bool follows_blindly() const noexcept;
     [[nodiscard]] bool push(View& view) noexcept;
-    [[nodiscard]] bool promise_braking(const PathInput& input) noexcept;
+    [[nodiscard]] bool commit_braking(const PathInput& input) noexcept;
     void keep_braking_profile() noexcept;
-    [[nodiscard]] PathState keep_promise() noexcept;
-    [[nodiscard]] bool safe(View& view, Ceilings which, const Step& step) noexcept;
-    [[nodiscard]] bool take(View& view, Ceilings which, const Step& step) noexcept;
-    [[nodiscard]] bool best_between(View& view, Ceilings which, const PathState& low,
+    [[nodiscard]] PathState follow_committed() noexcept;
+    [[nodiscard]] bool safe(View& view, SpeedLimits which, const Step& step) noexcept;
+    [[nodiscard]] bool take(View& view, SpeedLimits which, const Step& step) noexcept;
+    [[nodiscard]] bool best_between(View& view, SpeedLimits which, const PathState& low,
                                     const PathState& high, PathState& next) noexcept;
     [[nodiscard]] double lowest_violated(View& view, const PathState& next) noexcept;
     [[nodiscard]] bool want(const PathInput& input) noexcept;
@@ -254,13 +254,13 @@ private:
     bool block_done_ = false;            // and it does
     // The profile to standstill that made the last step safe, and how much of it has been driven
     // since, s; below 0: there is none.
-    Braking promise_, tried_;
+    Braking committed_, tried_;
     std::uint32_t pieces_ = 0;  // tried in this tick
-    double promise_time_ = -1;
-    bool promise_wanted_ = false;  // it keeps what was wanted, too
-    bool promise_aims_ = false;    // it goes through a slower stretch
+    double committed_time_ = -1;
+    bool committed_wanted_ = false;  // it keeps what was wanted, too
+    bool committed_aims_ = false;    // it goes through a slower stretch
     // the record at whose end it stops for want of road; kNone: it need not
-    std::uint64_t promise_end_ = kNone;
+    std::uint64_t committed_end_ = kNone;
     // Steps before that: a push is tried as a whole and then driven without another thought, unless
     // something else is wanted.
     static constexpr std::uint32_t kPush = 16;

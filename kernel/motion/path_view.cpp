@@ -33,7 +33,7 @@ bool alike(const Limits& x, const Limits& y, double v) noexcept {
 
 }  // namespace
 
-void PathPlanner::View::begin(PathPlanner& planner, Ceilings which,
+void PathPlanner::View::begin(PathPlanner& planner, SpeedLimits which,
                               const PathInput& input) noexcept {
     clear();
     planner_ = &planner;
@@ -49,30 +49,30 @@ void PathPlanner::View::begin(PathPlanner& planner, Ceilings which,
     reach_ = v_next * dt;
     fast_ = 1.05 * v_next + 2 * up * up / running.j_max;
     chunk_ = 1.5 * v_next * (v_next / (2 * running.a_max) + running.a_max / running.j_max) + 0.1;
-    begin_stretch(0, planner.ceiling_of(running, which, input), running.limits());
+    begin_stretch(0, planner.speed_limit_of(running, which, input), running.limits());
     // What this tick can touch.
     within = 0;
     Limits touched = running.limits();
-    ceiling = stretches_[0].ceiling;
+    speed_limit = stretches_[0].speed_limit;
     double hard = running.v_max;
     double at = known_;
     for (std::uint64_t record = record_; at <= reach_ && !planner.stops_at_end(record);) {
         const Slot& slot = planner.at(++record);
         if (!(slot.length > 0)) continue;
         touched.narrow(slot.limits());
-        ceiling = std::min(ceiling, planner.ceiling_of(slot, which, input));
+        speed_limit = std::min(speed_limit, planner.speed_limit_of(slot, which, input));
         hard = std::min(hard, slot.v_max);
         at += slot.length;
     }
     narrow_tick(touched, planner.state_, std::max(v, std::min(v_next, hard)));
-    if (input.single_block && which == Ceilings::Wanted && planner.block_latch_ == kNone &&
-        (planner.promise_time_ >= 0 || planner.at_rest())) {
+    if (input.single_block && which == SpeedLimits::Wanted && planner.block_latch_ == kNone &&
+        (planner.committed_time_ >= 0 || planner.at_rest())) {
         // The first end of a block at which the path can still stop: not before the end of the
         // committed distance.
-        const double stands =
-            planner.at_rest()
-                ? 0
-                : planner.promise_.distance() - planner.promise_.follow(0, planner.promise_time_).s;
+        const double stands = planner.at_rest()
+                                  ? 0
+                                  : planner.committed_.distance() -
+                                        planner.committed_.follow(0, planner.committed_time_).s;
         double end = known_;
         for (std::uint64_t record = planner.first_;; end += planner.at(++record).length) {
             if (planner.at(record).block_end && end >= stands) {
@@ -100,16 +100,16 @@ bool PathPlanner::View::around(const PathState& x) noexcept {
     }
     const double dt = planner_->dt_;
     Limits touched = stretches_[within].limits;
-    ceiling = stretches_[within].ceiling;
+    speed_limit = stretches_[within].speed_limit;
     const double up = std::min(std::max(x.a, 0.0) + touched.j * dt, std::max(touched.a, x.a));
     const double v_next = x.v + up * dt, reach = x.s + v_next * dt;
     for (std::uint32_t i = within; end_of(i) <= reach; ++i) {
         const Stretch* const next = stretch(i + 1);
         if (next == nullptr) break;
         touched.narrow(next->limits);
-        ceiling = std::min(ceiling, next->ceiling);
+        speed_limit = std::min(speed_limit, next->speed_limit);
     }
-    narrow_tick(touched, x, std::max(x.v, std::min(v_next, ceiling)));
+    narrow_tick(touched, x, std::max(x.v, std::min(v_next, speed_limit)));
     return true;
 }
 
@@ -117,19 +117,19 @@ bool PathPlanner::View::rises(const PathState& now) noexcept {
     const double a = std::min(std::max(now.a, 0.0) + tick.j * planner_->dt_,
                               std::max(tick.a, now.a)),
                  v = now.v + a * planner_->dt_;
-    if (release_speed(v, a, tick.j) <= ceiling) return false;
+    if (release_speed(v, a, tick.j) <= speed_limit) return false;
     const double way = now.s + (v + a * a / (2 * tick.j)) * a / tick.j;
     for (std::uint32_t i = within; end_of(i) < way; ++i) {
         const Stretch* const next = stretch(i + 1);
         if (next == nullptr) return false;
-        if (next->ceiling > ceiling * (1 + 1e-9)) return true;
+        if (next->speed_limit > speed_limit * (1 + 1e-9)) return true;
     }
     return false;
 }
 
 void PathPlanner::View::join(const PlannedRecord& record, double other) noexcept {
     Stretch& last = stretches_[count_ - 1];
-    last.ceiling = std::min(last.ceiling, other);
+    last.speed_limit = std::min(last.speed_limit, other);
     last.limits.narrow(record.limits());
 }
 
@@ -137,9 +137,9 @@ void PathPlanner::View::join(const PlannedRecord& record, double other) noexcept
 bool PathPlanner::View::pass_group() noexcept {
     if ((record_ + 1) % kGroup != 0 || record_ + kGroup + 1 >= planner_->end_) return false;
     const Group& group = planner_->groups_[(record_ + 1) % kPlannerWindow / kGroup];
-    const bool blocks = which_ == Ceilings::Wanted && input_->single_block;
+    const bool blocks = which_ == SpeedLimits::Wanted && input_->single_block;
     if (group.stops || (blocks && group.block_ends) ||
-        (which_ == Ceilings::Wanted && group.mixed) || !(group.length > 0))
+        (which_ == SpeedLimits::Wanted && group.mixed) || !(group.length > 0))
         return false;
     PlannedRecord least;
     least.length = group.length;
@@ -148,9 +148,9 @@ bool PathPlanner::View::pass_group() noexcept {
     least.feed_mode = group.feed_mode;
     least.spindle = group.spindle;
     least.override_locked = group.override_locked;
-    const double other = planner_->ceiling_of(least, which_, *input_);
+    const double other = planner_->speed_limit_of(least, which_, *input_);
     const Stretch& last = stretches_[count_ - 1];
-    if (other < std::min(last.ceiling, fast_)) return false;
+    if (other < std::min(last.speed_limit, fast_)) return false;
     if (group.least.narrower_than(last.limits) || last.limits.narrower_than(group.most))
         return false;
     known_ += group.length;
@@ -159,7 +159,7 @@ bool PathPlanner::View::pass_group() noexcept {
 }
 
 void PathPlanner::View::more() noexcept {
-    const bool blocks = which_ == Ceilings::Wanted && input_->single_block;
+    const bool blocks = which_ == SpeedLimits::Wanted && input_->single_block;
     for (;;) {
         if (planner_->stops_at_end(record_) || (blocks && record_ == planner_->block_latch_)) {
             end_record = record_;
@@ -169,9 +169,9 @@ void PathPlanner::View::more() noexcept {
         if (!long_enough && known_ > reach_ && pass_group()) continue;
         const Slot& slot = planner_->at(++record_);
         if (!(slot.length > 0)) continue;
-        const double other = planner_->ceiling_of(slot, which_, *input_);
+        const double other = planner_->speed_limit_of(slot, which_, *input_);
         const Stretch& last = stretches_[count_ - 1];
-        const double before = std::min(last.ceiling, fast_), now = std::min(other, fast_);
+        const double before = std::min(last.speed_limit, fast_), now = std::min(other, fast_);
         const bool level = now >= kLevel * before && before >= kLevel * now;
         // the tick's own records: nothing is taken from them
         const bool exactly = known_ <= reach_ || count_ == 1;

@@ -10,8 +10,8 @@
 namespace polyturn::kernel {
 
 struct Stretch {
-    double begin;    // mm from the present point
-    double ceiling;  // mm/s
+    double begin;        // mm from the present point
+    double speed_limit;  // mm/s
     Limits limits;
 };
 
@@ -41,9 +41,9 @@ protected:
         end_ = std::numeric_limits<double>::infinity();
     }
     // false: no room
-    bool begin_stretch(double at, double ceiling, const Limits& limits) noexcept {
+    bool begin_stretch(double at, double speed_limit, const Limits& limits) noexcept {
         if (count_ == kStretches) return false;
-        stretches_[count_++] = {at, ceiling, limits};
+        stretches_[count_++] = {at, speed_limit, limits};
         return true;
     }
     void close(double end) noexcept {

@@ -7,19 +7,18 @@
 //         +----------> t
 //
 // Two fading-memory polynomial filters run side by side on the middle of each count:
-//   fast   cubic, memory 1/60 s     follows swings and ramps, but carries half of the staircase's noise
+//   fast   cubic, memory 1/60 s      follows swings and ramps, but has half the staircase's noise
 //   slow   quadratic, memory 1/10 s  at steady speed averages the staircase away
-// The slow one is believed while its predictions stay within kTrust counts of the measurement; once
+// The slow one is used while its predictions stay within kTrust counts of the measurement; once
 // it does not, it begins anew from the fast one (its memory grows with its age), and only after
 // kSettled ticks without a breach the result is faded over to it. So the switch makes no step, and
 // a swing of 20 % at 1 Hz is followed by the fast one alone.
 //
 // Gains    Fading-memory polynomial of degree n, all poles at z = exp(-dt/memory). Source: N.
-//          Morrison, Introduction to
-//          Sequential Smoothing and Prediction, 1969, chapter 13.
+//          Morrison, Introduction to Sequential Smoothing and Prediction, 1969, chapter 13.
 // Error    Fast: snap/pole^4 + about 0.05 degrees of noise. Slow: 0.01 degrees, see
 //          spindle_observer_test.
-// Weakness Where a tick is within 0.1 % of a whole number of counts (at 1 ms and 4096 counts:
+// Weakness Where a tick is within 0.1 % of an integer count (at 1 ms and 4096 counts:
 // multiples of 14.65 1/min)
 //          the staircase is the same at each tick and nothing can tell where in a count the spindle
 //          is: up to half a count.

@@ -2,8 +2,8 @@
 // rest at an angle, within speed, acceleration and jerk. All in revolutions, counted over all
 // revolutions.
 //
-//   take_over(s, v)   the loop closes on a turning or standing spindle
-//   go(target)        on the shortest way that a spindle of this speed has: it brakes and comes
+//   take_over(s, v)   the loop closes on a spindle, turning or at standstill
+//   go(target)        by the shortest travel that a spindle of this speed has: it brakes and comes
 //                     back only if it must
 //   follow(s)         somebody else says where it is (tapping, interpolation)
 #pragma once

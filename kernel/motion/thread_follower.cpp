@@ -12,7 +12,7 @@ constexpr double kPlannedJerk = 0.98;  // the landing ends exactly with the rest
 constexpr double kControlJerk = 0.99;
 constexpr double kDegrees = 360;  // a revolution
 // The quintic of ClosingGap in a time T, its peaks:
-//   from rest onto a line of speed v, over the way v T/2:   a = 1.5 v/T,  j = 6 v/T^2
+//   from rest onto a line of speed v, over the travel v T/2:   a = 1.5 v/T,  j = 6 v/T^2
 //   a jump of speed v without a gap of position:            a = 4 v/T,    j = 36 v/T^2
 constexpr double kRunInA = 1.5, kRunInJ = 6, kJumpA = 4, kJumpJ = 36;
 // of the change of speed that a tick at full acceleration makes: a smaller jump is left to the

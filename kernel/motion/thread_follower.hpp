@@ -5,33 +5,27 @@
 //     |                    .-'
 //     |                  .-'          line: s = lead (angle - start angle)/360, record after record
 //     |              _.-'
-//     |__________.-''                 from rest at s = 0, begun early enough to be on the line after T
-//     +---------|---+-------------> angle
+//     |__________.-''                 from rest at s = 0, begun so early that it is on the line
+//     +---------|---+-------------> angle                                              after T
 //               |<->| w T/2   start angle
 //
 // Start    At rest, T/2 before the spindle comes to the start angle: then the line is v T/2 behind
-//          the axis, and an axis
-//          that accelerates for T to v covers exactly v T/2 less than the line. The gap e = s -
-//          line runs to 0 as the quintic
-//          in time that begins at the gap's (e, e', e'') and ends in (0, 0, 0): with v = 0 -> v it
-//          asks for 1.5 v/T of
-//          acceleration and 6 v/T^2 of jerk, which gives T. It ends on the line exactly, so where
-//          it began in the tick,
-//          and with it the phase, does not matter. Where the lead jumps between records the gap is
-//          closed likewise.
+//          the axis, and an axis that accelerates for T to v covers exactly v T/2 less than the
+//          line. The gap e = s - line runs to 0 as the quintic in time that begins at the gap's
+//          (e, e', e'') and ends in (0, 0, 0): with v = 0 -> v it asks for 1.5 v/T of acceleration
+//          and 6 v/T^2 of jerk, which gives T. It ends on the line exactly, so where it began in
+//          the tick, and with it the phase, does not matter. Where the lead jumps between records
+//          the gap is closed likewise.
 // Driving  The line is known by estimates that carry the encoder's noise. The path is a triple
-// integrator whose jerk
-//          j = p^4 (integral of d) + 4 p^3 d + 6 p^2 d' + 4 p d'', d = (line + e) - s, is kept
-//          within the limits: noise moves
-//          nothing but jerk. The integral is there because the estimates of speed and acceleration
-//          lag a little behind the
-//          derivatives of the estimated angle while the spindle swings; without it d would follow
-//          that lag.
-// End      At each tick the next state must still be able to stand at the end; when it is not, land
+//          integrator whose jerk j = p^4 (integral of d) + 4 p^3 d + 6 p^2 d' + 4 p d'', d = (line
+//          + e) - s, is kept within the limits: noise moves nothing but jerk. The integral is there
+//          because the estimates of speed and acceleration lag a little behind the derivatives of
+//          the estimated angle while the spindle swings; without it d would follow that lag.
+// End      At each tick the next state must still be able to stop at the end; when it is not, land
 //          (landing.hpp).
-// Ceiling  A spindle that runs the thread above v_max is refused at the start (Waiting, too_fast);
-// if it speeds up later the
-//          path stays at v_max and says lost_line: the thread is spoilt, the machine is not.
+// Limit    A spindle that runs the thread above v_max is refused at the start (Waiting, too_fast);
+//          if it speeds up later the path stays at v_max and says lost_line: the thread is spoilt,
+//          the machine is not.
 // Cost     Some ten multiplications a tick; no state outside this object.
 #pragma once
 #include <array>

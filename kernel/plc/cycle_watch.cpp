@@ -10,7 +10,7 @@ namespace polyturn::plc::cycle_watch {
 
 namespace {
 // P3: numbers that announce nothing, for a handler in the same process
-std::atomic<std::uint64_t> running{0};  // number of the cycle under way; 0 none
+std::atomic<std::uint64_t> running{0};  // number of the running cycle; 0 none
 std::atomic<std::uint64_t> last_seen{0};
 
 // Async-signal-safe: lock-free atomics, write, _exit.

@@ -94,9 +94,9 @@ void PlcMemory::begin_cycle() noexcept {
 void PlcMemory::end_cycle() {
     if (timeouts_ && !told_) {
         told_ = true;
-        fmt::print(
-            stderr,
-            "polyturn-plc: PLC timeout: more than one memory read in a cycle while N1274 #0 is 0\n");
+        fmt::print(stderr,
+                   "polyturn-plc: PLC timeout: more than one memory read in a cycle while "
+                   "N1274 #0 is 0\n");
     }
     if (std::exchange(dirty_, false) && !path_.empty()) {
         {

@@ -171,7 +171,7 @@ void Guard::show(const Core& core, Body& body) noexcept {
     }
 }
 
-// The distance now, and in `then` that of each point looked at, but only of what may come nearer
+// The distance now, and in `then` that of each point checked, but only of what may come nearer
 // than kept: `reach` is what both displacements and PT_GUARD_DISTANCE allow.
 double Guard::gaps(const Body& a, const Body& b, double reach, const Relative& way,
                    std::array<double, 8>& then) const noexcept {

@@ -2,11 +2,15 @@
 // carriers with the tool in work, of all channels, in every mode (N19xx, N20xx, machine.toml).
 // Bodies are rectangles in the work area's plane of X and Z; a carrier moves with its axes.
 //
-//        +-----+   v        braking from now on, each body would rest at the end of its arrow; eight points of both ways are
-//        |  A  |--->        looked at. When A and B would then be nearer than PT_GUARD_DISTANCE, and nearer than they are,
-//        +-----+  +---+     whoever moves them stops now. Away from each other they may always go.
+//        +-----+   v
+//        |  A  |--->        braking from now on, each body would rest at the end of its arrow
+//        +-----+  +---+
 //                 | B |
-//                 +---+     The displacement along a path bends as it has bent in the last tick.
+//                 +---+
+//
+// Eight points of both displacements are checked. When A and B would then be nearer than
+// PT_GUARD_DISTANCE, and nearer than they are, whoever moves them stops now. Away from each other
+// they may always go. The displacement along a path bends as it has bent in the last tick.
 //
 // The bodies themselves, and how a turret carries the tools of its other stations:
 // ipc/machine/bodies/room_bodies.hpp.
@@ -36,7 +40,7 @@ public:
     void configure(const params::Table& table, const KernelConfig& config);
     // instead of what the machine model says of their stations; then configure()
     void take_tools(const ToolShapes& shapes) noexcept { shapes_ = shapes; }
-    // What the offset in use takes from the axes of a channel (from 1), by their place in it
+    // What the offset in use takes from the axes of a channel (from 1), by their index in it
     // (machine coordinate less programmed coordinate): where the tip of the tool in work is. A
     // shape of machine.toml that names its tip goes with it; without an offset in use the tool
     // stays as it was known last.
@@ -87,7 +91,7 @@ private:
         std::size_t shown = 0, shown_count = 0;  // boxes of now, in the work area
         Box outline{};
     };
-    // displacement of the second body against the first at the points looked at
+    // displacement of the second body against the first at the points that are checked
     struct Relative {
         std::array<double, 8> x{}, z{};
     };

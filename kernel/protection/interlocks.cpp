@@ -108,7 +108,7 @@ void Machine::watch_interlocks() noexcept {
 
 // No spindle starts with an open chuck, behind an open door or in a machine that is not on,
 // whatever SP_ROT says; one that turns stops when its chuck opens. In a thread or a cut the axes
-// come to rest first (rotation_for). What was refused is not kept.
+// come to rest first (rotation_for). What was refused is not stored.
 bool Machine::spindle_may_turn(std::uint32_t s, std::int32_t wanted) noexcept {
     const std::uint32_t owner = core_.spindles[s].owner;
     const bool open = unclamped(core_, s + 1) && !held_by_partner(core_, s + 1);

@@ -6,7 +6,7 @@
 //   EndOfPart  the part is finished, then the program ends; a warning says why
 //
 // The PLC reports (inputs, positions of its devices); whether something turns or moves in spite of
-// it is judged here.
+// it is checked here.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -123,7 +123,7 @@ double StrokeGuard::exit_of(unsigned l, const PathRecord& r, const Kinematics* k
     for (unsigned n = 1; n <= kPieces; ++n) {
         const double s = r.length * n / kPieces;
         at(s, now);
-        // A chord leaves out what bulges by less than the piece's sagitta; its end is judged
+        // A chord leaves out what bulges by less than the piece's sagitta; its end is checked
         // exactly by bisection.
         if (free_part(channel.zones, before.data(), now.data(), fault) < 1.0) {
             double low = s_before, high = s;

@@ -1,8 +1,9 @@
 // The position loop of a spindle (nct_parameters_part1 9, structure as 7.2; revolutions):
 //
-//   command -> LP T1 -> p1 -+-> LP T2 -> delay TD -> pe -> (-) <- measured        T1 N0710, T2 N0718, TD N0726
-//                           '-> d/dt x A -----------------> (+) <- K x error -> speed     K N0701, A N0734
+//   command -> LP T1 -> p1 -+-> LP T2 -> delay TD -> pe -> (-) <- measured
+//                           '-> d/dt x A -----------------> (+) <- K x error -> speed
 //
+// T1 N0710, T2 N0718, TD N0726, K N0701, A N0734.
 // Watched: |measured - LP(command, T3)| against N0761 at rest and N0769 in motion, |error| against
 // N0777.
 #pragma once

@@ -1,15 +1,15 @@
 // One spindle: its commanding channel, commanded speed, ramps, position loop, and the drive with
 // its encoder.
 //
-//   S or surface speed -> x override -> limits of the gear range -> limit of G96 -> sign from
-//   SP_ROT -> ramp -> drive
+//   S or surface speed -> x override -> limits of the gear range -> limit of G96
+//                                                      -> sign from SP_ROT -> ramp -> drive
 // (nct_parameters_part1 8.6). The PLC decides whether and in which direction it turns (SP_ROT 3, 4,
 // 5), programs only the speed.
 //
-//   Turning ---SP_OREQ---> Approach ----------------------> Closed       SP_OREQ gone: Turning again, at the speed it has
-//                 |          | M19 and the zero pulse unknown  ^
+//   Turning ---SP_OREQ---> Approach ----------------------> Closed     SP_OREQ gone: Turning
+//                 |          | M19 and the zero pulse unknown  ^       again, at its speed
 //                 |          '--> Searching ---zero pulse------'
-//                 '--standing, nothing to search---------------'
+//                 '--at standstill, nothing to search----------'
 // M19 (SP_ROT 19): approach at N0801, then to zero pulse + N0684 + the angle that the program
 // wants. Any other code with SP_OREQ (N0823): brake, and close the loop at that position.
 #pragma once

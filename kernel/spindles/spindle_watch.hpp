@@ -1,7 +1,8 @@
 // Monitoring of a spindle's speed (nct_parameters_part1 8.5): reached (SN_NS), standstill (SN_N0),
 // fluctuating (SN_FLU).
 //
-//   G26 and a new command    waiting     until the speed is within N0631 of the command, or N0630 has passed
+//   G26 and a new command    waiting     until the speed is within N0631 of the command, or N0630
+//                                        has passed
 //                            watching    until it leaves both bands N0632 and N0633: fluctuating
 // Nothing is reported of a spindle without an encoder (N0608 = 0).
 #pragma once

@@ -26,22 +26,20 @@ CLI::Option* repeatable(CLI::App& app, const char* name, std::vector<std::string
 void add_job_options(CLI::App& app, JobOptions& job) {
     app.add_option(
            "PROGRAM", job.programs,
-           tell(
-               "L=FILE (channel and file), FILE (the first for channel 1, and so on), or one NAME.job.toml"))
+           tell("L=FILE (channel and file), FILE (the first for channel 1, and so on), or one "
+                "NAME.job.toml"))
         ->required();
     repeatable(app, "--language", job.languages,
                "[L=]NAME: fanuc, nct, fagor, sinumerik or mefi; otherwise the machine says");
-    app.add_option(
-        "--machine", job.machine,
-        tell(
-            "parameter file, or folder with machine.params; default: examples/machines/twin-turret"));
+    app.add_option("--machine", job.machine,
+                   tell("parameter file, or folder with machine.params; default: "
+                        "examples/machines/twin-turret"));
     repeatable(app, "--set", job.sets,
                "one parameter: 'NAME [SCOPE]=VALUE', such as 'N1300 L1=5'; repeatable");
     repeatable(app, "--param-file", job.param_files, "file of such lines; repeatable");
-    app.add_option(
-        "--setup", job.setup,
-        tell(
-            "what an operator would have entered: positions, zeros, offsets, variables, keys (TOML)"));
+    app.add_option("--setup", job.setup,
+                   tell("what an operator would have entered: positions, zeros, offsets, variables,"
+                        " keys (TOML)"));
     app.add_option("--instance", job.instance, tell("name of the private controller"));
     app.add_option("--like", job.like,
                    tell("copies offsets, tools, zeros and parameters of this running controller"));
@@ -83,7 +81,7 @@ std::string joined(const std::vector<std::string>& words) {
     return out;
 }
 
-// The words of press and set may begin with a sign ("-120"), so they are not looked at as options;
+// The words of press and set may begin with a sign ("-120"), so they are not parsed as options;
 // --instance may stand among them.
 void take_words(const CLI::App& app, CommandLine& line) {
     std::vector<std::string> words = app.remaining();
@@ -113,7 +111,8 @@ constexpr const char* kPressWords =
     "machine_lock L1=on\n"
     "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits "
     "L2=on   stop_after_part\n"
-    "  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n"
+    "  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose "
+    "L1=on\n"
     "  answer L1 #500=12.5 key=1\n";
 
 }  // namespace

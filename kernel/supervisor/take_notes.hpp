@@ -29,7 +29,7 @@ bool take_notes(Controller& controller, EventJoiner& joiner, Wrong wrong) {
     std::string text;
     for (unsigned number = 1; number <= kMaxChannels; ++number) {
         const ChannelSegment* channel = controller.channel(number);
-        // A successor that is on its way begins where its predecessor's notes were read to.
+        // A successor that is being started begins where its predecessor's notes were read to.
         if (!channel || controller.awaits(number)) continue;
         if (take_ring(channel->notes, controller.own().note_tail[number - 1], number, joiner, text,
                       moved))

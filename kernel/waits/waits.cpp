@@ -1,5 +1,7 @@
 #include "kernel/waits/waits.hpp"
 
+#include "ipc/diagnosis/assert.hpp"
+
 namespace polyturn::kernel {
 
 void WaitBoard::mark(Marks& marks, unsigned channel, std::int32_t code, bool on) noexcept {
@@ -68,6 +70,7 @@ ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
         if (out >> c & 1u) {
             Marks& marks = arrivals_[c].phase.kind == Kind::Search ? searched_ : marks_;
             arrivals_[c].here = false;
+            PT_ASSERT(!counts(c), "I1 an arrival is consumed by its release");
             if (marked(marks, c, arrivals_[c].code)) mark(marks, c, arrivals_[c].code, false);
         }
     return out;
@@ -124,6 +127,7 @@ WaitBoard::Ring WaitBoard::deadlock(unsigned channel, ChannelSet no_wait) const 
             unsigned c = channel;  // backwards from the end of the ring to its beginning
             do ring.channel[kMaxChannels - ++ring.count] = static_cast<std::uint8_t>(c = from[c]);
             while (c != channel);
+            PT_ASSERT(ring.count >= 2 && ring.count <= kMaxChannels, "a deadlock has partners");
             for (unsigned i = 0; i < ring.count; ++i)
                 ring.channel[i] = ring.channel[kMaxChannels - ring.count + i];
             return ring;

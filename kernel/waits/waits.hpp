@@ -5,7 +5,7 @@
 //
 //   arrived   1: M501 {1,2}   2: M502 {1,2}   -> 1 misses 2, 2 misses 1: a deadlock, which no
 //                                                third channel can resolve
-//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is on its way: no
+//   arrived   1: M501 {1,2}   2: M502 {2,3}   -> 1 misses 2, 2 misses 3; 3 is still coming: no
 //                                                deadlock
 //
 // I1  An arrival is consumed by its release; a fast channel is never counted for an earlier
@@ -14,8 +14,9 @@
 //     live: no alarm, reset or death has to take it away, and none can forget to.
 // I3  Only like meets like: a cut a cut, a dry run a dry run, a block by hand another one, a search
 //     one of the same restart.
+//
 // Pure arithmetic on 16 channels: no clock, no image. A library of its own: the kernel asks it each
-// tick, and `check` asks the same one without time (supervisor/check/wait_match.hpp). Tested against
+// tick, `check` asks the same one without time (supervisor/check/wait_match.hpp). Tested against
 // plain models.
 #pragma once
 #include <array>

@@ -1,10 +1,9 @@
 // libs: polyturn_motion polyturn_channel_path
 //
-// How near the planner comes to the least possible time
-// on tests/bench/parts (the issue allows 10 % above the reference), and what a tick of it costs.
-// First a table, then Google Benchmark's.
+// How near the planner comes to the least possible time on tests/bench/parts (the issue allows 10 %
+// above the reference), and what a tick of it costs. First a table, then Google Benchmark's.
 //     motion_bench                   both
-//     motion_bench --paths X.part    the path of a part as tests/bench/reference/reference.cpp reads it
+//     motion_bench --paths X.part    the path of a part as bench/reference/reference.cpp reads it
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -153,7 +152,8 @@ void print_paths(const Part& part) {
                 char text[512];
                 std::snprintf(
                     text, sizeof text,
-                    "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g %.12g %.12g",
+                    "%.15g %.15g  %.12g %.12g %.12g %.12g %.12g %.12g  %.12g %.12g %.12g %.12g "
+                    "%.12g %.12g",
                     nodes[k + 1] - nodes[k], ceiling, b.first[0], b.second[0], b.third[0],
                     e.first[0], e.second[0], e.third[0], b.first[1], b.second[1], b.third[1],
                     e.first[1], e.second[1], e.third[1]);

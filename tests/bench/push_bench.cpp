@@ -1,8 +1,8 @@
 // libs: polyturn_channel_process
 //
-// Program text to records in the ring (issue 2: at least 500 000
-// blocks/s on one core): language, machine state, blends, ceilings, ring. The kernel's part, taking
-// the records, is played by moving the tail.
+// Program text to records in the ring (issue 2: at least 500 000 blocks/s on one core): language,
+// machine state, blends, ceilings, ring. The kernel's part, taking the records, is played by moving
+// the tail.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

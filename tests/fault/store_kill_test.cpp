@@ -100,9 +100,9 @@ TEST(StoreKilled, LosesNothingThatWasAcknowledged) {
             if (random() % 4 == 0) usleep(static_cast<useconds_t>(random() % 300));
         }
         rig.kill_now();
-        // Read after the death: what on_disk said last was promised.
-        const auto promised = (*rig.store)->on_disk.load();
-        while (!written.empty() && written.begin()->first <= promised) {
+        // Read after the death: what on_disk said last was acknowledged.
+        const auto on_disk = (*rig.store)->on_disk.load();
+        while (!written.empty() && written.begin()->first <= on_disk) {
             const auto [index, value] = written.begin()->second;
             variables[index].acknowledge(value);
             written.erase(written.begin());

@@ -146,7 +146,7 @@ private:
     int last_ = 0;
 };
 
-struct Promise {
+struct Acknowledged {
     std::uint64_t moment;  // length of the record when the answer was there
     int offset;
     double value;
@@ -212,7 +212,7 @@ protected:
 };
 
 TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
-    std::vector<Promise> promises;
+    std::vector<Acknowledged> acknowledged_values;
     double value = 0;
     int repeated = 0, refused = 0;
     ASSERT_TRUE(start(0)) << rig.messages();
@@ -229,7 +229,7 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
         int offset = 0;
         const auto take = [&](const Json& told) {
             if (told.value("ok", false)) {
-                promises.push_back({recorded(), offset, value});
+                acknowledged_values.push_back({recorded(), offset, value});
                 repeated += told.value("repeated", false);
             } else {
                 EXPECT_EQ(told.value("number", ""), "PT0335") << told.dump();
@@ -253,13 +253,13 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
         EXPECT_EQ(rig.messages().find("PT04"), std::string::npos) << rig.messages();
     }
     rig.kill_now();
-    ASSERT_GT(promises.size(), 50u);
+    ASSERT_GT(acknowledged_values.size(), 50u);
     EXPECT_GT(repeated, 0) << "no store answered for its predecessor";
     RecordProperty("refused", refused);
 
     // Each moment behind an answer, and as many others.
     std::vector<std::uint64_t> moments;
-    for (const Promise& one : promises) moments.push_back(one.moment);
+    for (const Acknowledged& one : acknowledged_values) moments.push_back(one.moment);
     for (int i = 0; i < 60; ++i) moments.push_back(begun + random() % (recorded() - begun));
     std::sort(moments.begin(), moments.end());
     std::ifstream in(record, std::ios::binary);
@@ -277,8 +277,10 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
             at += sizeof head + head.path_size + head.size;
         }
         std::map<int, double> known;
-        for (next = 0; next < promises.size() && promises[next].moment <= moment; ++next)
-            known[promises[next].offset] = promises[next].value;
+        for (next = 0;
+             next < acknowledged_values.size() && acknowledged_values[next].moment <= moment;
+             ++next)
+            known[acknowledged_values[next].offset] = acknowledged_values[next].value;
         for (const unsigned keeps : {0u, 50u, 95u}) {
             fs::remove_all(copy);
             disk.leave(root, copy, keeps, random);
@@ -289,17 +291,17 @@ TEST_F(PowerCuts, LeaveWhatWasAcknowledgedAlsoByAStoreThatHasJustRecovered) {
             std::vector<Diagnosis> warnings;
             ASSERT_TRUE(store->read_into(*values, warnings));
             ++states;
-            for (const auto& [offset, promised] : known)
+            for (const auto& [offset, acknowledged] : known)
                 if (values->channels[0].offsets[static_cast<std::size_t>(offset)].geometry[0] <
-                    promised)
+                    acknowledged)
                     ++lost;
             if (store->condition().unfit && ++alarms == 1)
                 ADD_FAILURE() << "false alarm: " << store->condition().unfit->text() << ", keeps "
                               << keeps;
         }
     }
-    EXPECT_EQ(lost, 0) << "of " << promises.size() << " acknowledged values in " << states
-                       << " states";
+    EXPECT_EQ(lost, 0) << "of " << acknowledged_values.size() << " acknowledged values in "
+                       << states << " states";
     EXPECT_EQ(alarms, 0) << "of " << states << " states";
     RecordProperty("states", static_cast<int>(states));
 }

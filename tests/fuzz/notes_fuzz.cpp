@@ -1,7 +1,7 @@
 // libs: polyturn_text polyturn_diagnosis fmt
 //
-// Any bytes in a channel's ring of notes, any head: the
-// supervisor reads within the ring, comes to an end, and believes no event of another.
+// Any bytes in a channel's ring of notes, any head: the supervisor reads within the ring, comes to
+// an end, and believes no event of another.
 #include <cstring>
 #include <memory>
 

@@ -147,9 +147,11 @@ struct Store {
         }
         machine = derive_machine_config(values->parameters);
         compensation = "/tmp/operation-fuzz-" + std::to_string(getpid()) + ".compensation";
-        ask(R"({"do":"tools.add","fields":{"name":"A","type":1,"h":3,"life":60,"life_kind":"minutes","D1.DP1":500,"D1.DP6":0.8}})",
+        ask(R"({"do":"tools.add","fields":{"name":"A","type":1,"h":3,)"
+            R"("life":60,"life_kind":"minutes","D1.DP1":500,"D1.DP6":0.8}})",
             UserLevel::Maker);
-        ask(R"({"do":"parts.add","fields":{"nominal":30,"upper":0.02,"lower":-0.02,"tool":1,"channel":1}})",
+        ask(R"({"do":"parts.add","fields":{"nominal":30,"upper":0.02,)"
+            R"("lower":-0.02,"tool":1,"channel":1}})",
             UserLevel::Maker);
     }
     void ask(std::string_view text, UserLevel level) {

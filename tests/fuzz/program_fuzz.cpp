@@ -1,7 +1,7 @@
 // libs: polyturn_channels
 //
-// Any text as a fanuc, nct or mefi program; the first byte chooses
-// language, live values and steps back.
+// Any text as a fanuc, nct or mefi program; the first byte chooses language, live values and steps
+// back.
 #include "tests/fuzz/play_text.hpp"
 
 using namespace polyturn;

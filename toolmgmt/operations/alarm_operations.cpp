@@ -1,8 +1,9 @@
 // The alarms of all days. The supervisor reports them, anybody may read them:
 //
 //   {"do":"alarms.note","events":[{"ev":"alarm","utc":"2026-01-31T12:00:00Z", ...}]}
-//   {"do":"alarms.list","before_utc":"2026-01-31T00:00:00Z","most":200}   newest first; before_id: what is older than that row
+//   {"do":"alarms.list","before_utc":"2026-01-31T00:00:00Z","most":200}   newest first
 //
+// before_id instead of before_utc: what is older than that row.
 // As the log of stops (stop_operations.cpp) a table of its own, not values.
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,12 @@
 // points of a grid (nct_parameters_part2 26 to 28). They are kept in the machine's own file; the
 // kernel takes it when all axes rest.
 //
-//   {"do":"compensation.set","cells":[[10500,0.0012]],"points":[[1,17,0,0.001]]}   points: channel, point, component 0 to 2, value
-//   {"do":"compensation.set","cells":[[10500,{"delta":0.001}]]}                     on top of what the file has; also with "expected"
-//   {"do":"compensation.import","file":"/usb/measured.compensation"}               whole; it must fit the parameters
+//   {"do":"compensation.set","cells":[[10500,0.0012]],"points":[[1,17,0,0.001]]}
+//                            points: channel, point, component 0 to 2, value
+//   {"do":"compensation.set","cells":[[10500,{"delta":0.001}]]}
+//                            on top of what the file has; also with "expected"
+//   {"do":"compensation.import","file":"/usb/measured.compensation"}
+//                            whole; it must fit the parameters
 #include <algorithm>
 #include <charconv>
 #include <cmath>

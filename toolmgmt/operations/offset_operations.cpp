@@ -16,8 +16,8 @@
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/rectangular.hpp"
 #include "toolmgmt/operations/tool_json.hpp"
-#include "toolmgmt/operations/upright.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
 namespace polyturn::toolmgmt {
@@ -290,7 +290,7 @@ bool position_now(Work& work, std::int64_t channel, int field, double& out,
                                                kFields[static_cast<std::size_t>(field)]);
         return false;
     }
-    const auto position = upright_position(work, static_cast<unsigned>(channel), *axis);
+    const auto position = rectangular_position(work, static_cast<unsigned>(channel), *axis);
     if (!position) {
         work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands");
         return false;
@@ -437,7 +437,7 @@ Json touched(const Json& request, Work& work) {
         if (!find_parameter(request, work, target)) return {};
     }
     const double before = value_now(work, target);
-    const double machine = portrait_touch(work, l, axis, *touch) * (axis.diameter ? 2.0 : 1.0),
+    const double machine = rectangular_touch(work, l, axis, *touch) * (axis.diameter ? 2.0 : 1.0),
                  contact = contact_position(work, l, *touch, static_cast<int>(field));
     const double fresh =
         std::round(((machine - contact) * share(target, axis) - beside(work, target)) * 1e6) / 1e6;

@@ -1,8 +1,9 @@
 // What operator, screens and command line ask of the store beyond single values: one JSON object
 // in, one out.
 //
-//   {"do":"tools.set","tool":5,"fields":{"life":"100"}}     ->  {"ok":true, ...}
-//                                                               {"ok":false,"faults":[{"number","text","remedy","row","column"}]}
+//   {"do":"tools.set","tool":5,"fields":{"life":"100"}}
+//       ->  {"ok":true, ...}
+//           {"ok":false,"faults":[{"number","text","remedy","row","column"}]}
 //
 // An operation changes the values as it goes and notes every change. When something is wrong it
 // names all faults it can find, and everything is taken back: all of it or nothing. What it changed

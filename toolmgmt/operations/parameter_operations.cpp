@@ -1,10 +1,11 @@
-// One number of a parameter as it is entered at a screen: absolute or incremental, and told what it
-// was and has become.
+// One number of a parameter as it is entered at a screen: absolute or incremental; the answer has
+// the value before and after.
 //
 //   {"do":"parameters.set","target":"N1600 L1","delta":0.5}
-//   {"do":"parameters.set","target":"N1600 L1","value":2.5,"expected":3}   refused when something else stands there by now
+//   {"do":"parameters.set","target":"N1600 L1","value":2.5,"expected":3}
+//                              refused when it has another value by now
 //
-// Lines of whole files come by the supervisor's own way (StoreRequestKind::Parameter): they are
+// Lines of whole files are sent by the supervisor (StoreRequestKind::Parameter): they are
 // done together or not at all.
 #include <algorithm>
 #include <cmath>

@@ -3,14 +3,11 @@
 //
 //   deviation   measured - nominal, of each part since the last correction
 //   proposal    (middle of the tolerance - mean of the newest `average` deviations) * share, at
-//               most `limit` up or down; added to
-//               the wear of the axis (of an offset, or of an edge of the tool); half of it where
-//               that is a radius and the axis shows
-//               diameters. The nominal itself may be a limit (30 h6): brought there, every second
-//               part is scrap.
+//               most `limit` up or down; added to the wear of the axis (of an offset, or of an edge
+//               of the tool); half of it where that is a radius and the axis shows diameters. The
+//               nominal itself may be a limit (30 h6): brought there, every second part is scrap.
 //   trend       straight line through the deviations since the last correction: mm a part, and
-//               after how many more parts the
-//               dimension leaves its tolerance at that rate
+//               after how many more parts the dimension leaves its tolerance at that rate
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,8 @@
 // The log of stops. The supervisor reports them (kernel/supervisor/start/stop_watch.hpp), anybody
 // may read them:
 //
-//   {"do":"stops.note","utc":"2026-01-31T12:00:00.000Z","channel":1,"cause":"hold","seconds":12.5, ...}   without seconds: it still stands
+//   {"do":"stops.note","utc":"2026-01-31T12:00:00.000Z","channel":1,"cause":"hold",
+//    "seconds":12.5, ...}   without seconds: it is not over yet
 //   {"do":"stops.list","since":"2026-01-31T00:00:00","most":200}   newest first
 //
 // A table of its own, not values: a stop is never changed and nothing works with it, so it stays

@@ -5,8 +5,7 @@
 //   CSV        tool,name,type,...,magazine,pot,D1.DP3,... ; comma or semicolon, quotes doubled;
 //              rows from the heading's 1
 //   Fanuc      G10 P3 X.. Z.. R.. Q.. (wear), P10003 (geometry); G10 L3, P group L life (Q1 uses,
-//              Q2 minutes), T tool and
-//              offset, G11
+//              Q2 minutes), T tool and offset, G11
 //   Sinumerik  $TC_TP1[5]=2 $TC_TP2[5]="ROUGH" $TC_DP3[5,1]=12.5 $TC_MOP11[5,1]=60 $TC_MPP6[1,3]=5
 #pragma once
 

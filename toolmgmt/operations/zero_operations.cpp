@@ -1,9 +1,10 @@
-// Zero offsets as a setter enters them: typed in, from a surface that the tool stands at, from the
+// Zero offsets as a setter enters them: typed in, from a surface that the tool touches, from the
 // workpiece setter (N3014, N3015).
 //
-//   machine = zero + external + shift + offset + value   ->   zero = machine - offset - value - external - shift   (X as the table shows it)
+//   machine = zero + external + shift + offset + value
+//   zero    = machine - offset - value - external - shift       (X as the table shows it)
 //
-// The offset is that of the tool or probe that stands there: its geometry and wear. A probe whose
+// The offset is that of the tool or probe that is there: its geometry and wear. A probe whose
 // lengths lead to the middle of its ball (tip 0 or 9) touches with the ball's side: its nose radius
 // counts towards where it travelled.
 #include <cmath>
@@ -13,7 +14,7 @@
 #include "ipc/machine/store/work_zeros.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
-#include "toolmgmt/operations/upright.hpp"
+#include "toolmgmt/operations/rectangular.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
 namespace polyturn::toolmgmt {
@@ -134,7 +135,7 @@ Json here(const Json& request, Work& work) {
     read_real(request, "value", value, work, false);
     read_real(request, "length", length, work, false);
     if (!work.good()) return {};
-    const auto position = upright_position(work, channel, *axis);
+    const auto position = rectangular_position(work, channel, *axis);
     if (!position) {
         work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands");
         return Json();
@@ -185,7 +186,7 @@ Json measure(const Json& request, Work& work) {
     const bool linear = axis->role == PlaneRole::BasicX || axis->role == PlaneRole::BasicY ||
                         axis->role == PlaneRole::BasicZ;
     if (linear && !offset_of(work, channel, number, *axis, field, length, &cell)) return {};
-    const auto position = upright_position(work, channel, *axis);
+    const auto position = rectangular_position(work, channel, *axis);
     if (!position) {
         work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands");
         return Json();
@@ -279,7 +280,7 @@ Json touch(const Json& request, Work& work) {
     const OffsetCell* cell = nullptr;
     if (!work.good() || !offset_of(work, channel, number, axis, field, length, &cell)) return {};
     const double unit = axis.diameter ? 2.0 : 1.0,
-                 machine = portrait_touch(work, channel, axis, *touch) * unit;
+                 machine = rectangular_touch(work, channel, axis, *touch) * unit;
     const bool to_middle = cell && (cell->tip == 0 || cell->tip == 9);
     const double side =
         to_middle ? (touch->negative ? -1.0 : 1.0) * (cell->geometry_r + cell->wear_r) * unit : 0.0;

@@ -93,7 +93,8 @@ Result<std::unique_ptr<FrameSource>> open_capture(const std::string& what) {
 Result<std::unique_ptr<FrameSource>> open_capture(const std::string& what) {
     return no_picture(
         what +
-        ": this build has no cameras (OpenCV videoio); numbered pictures, camera:shot_%02d.pgm, it reads");
+        ": this build has no cameras (OpenCV videoio); numbered pictures, camera:shot_%02d.pgm, it "
+        "reads");
 }
 
 #endif

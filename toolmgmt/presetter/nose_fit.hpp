@@ -3,9 +3,11 @@
 //              \        /        c  centre of the nose, r its radius
 //     flank +   \      /  flank -        b  direction in which the tool points: angle `points_to`
 //                \ c  /          h  half the angle between the two outward normals: `half`
-//                 '--'           distance of a point: to the circle within the sector of the normals, else to the flank of its side
+//                 '--'
 //                   b
 //
+// Distance of a point: to the circle within the sector of the normals, else to the flank of its
+// side.
 // Weakness: a flank that is curved within the picture is taken for a straight one; what departs
 // from it counts as chips.
 #pragma once

@@ -2,8 +2,8 @@
 // what fits where.
 //
 //   chain, turret   a ring; places count from N2906..N2909. A turret with half stations
-//                   (PT_TURRET_HALF): the second half of
-//                   the numbers lies between the first, the first of them behind place 1
+//                   (PT_TURRET_HALF): the second half of the numbers lies between the first, the
+//                   first of them behind place 1
 //   matrix          row by row, from the top left
 //   spindle s       10 s where N2922 SPM says so, its change arm 10 s + 1 (SBY); pot 1
 //

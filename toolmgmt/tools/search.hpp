@@ -6,9 +6,12 @@
 // turret; its tool spindle and change arm. Among those that may be used the choice is
 // PT_TOOL_SEARCH:
 //   0  N2901 TCU: the least life left, or the least value in the custom column N2904; then the
-//   lowest data number 1  the one with the state active; otherwise the next higher duplo number
-//   after it; then the lowest
-//   2  the lowest duplo number        3  the first that is active        4  the nearest in the magazine
+//      lowest data number
+//   1  the one with the state active; otherwise the next higher duplo number after it; then the
+//      lowest
+//   2  the lowest duplo number
+//   3  the first that is active
+//   4  the nearest in the magazine
 #pragma once
 
 #include "toolmgmt/store_values.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hmi/machine/tools/tool_at_work.hpp"
+#include "hmi/machine/tools/tool_in_work.hpp"
 #include "hmi/screens/graphics/graphics.hpp"
 #include "hmi/screens/graphics/graphics_look.hpp"
 #include "hmi/widgets/painted.hpp"

@@ -13,7 +13,7 @@
 #include "hmi/machine/live/round_step.hpp"
 #include "hmi/text/retold.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/translations.hpp"
 #include "ipc/params/unit.hpp"

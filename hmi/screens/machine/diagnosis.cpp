@@ -4,7 +4,7 @@
 #include <QKeyEvent>
 
 #include "hmi/screens/overview/channel_keys.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

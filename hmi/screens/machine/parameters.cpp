@@ -11,7 +11,7 @@
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/translations.hpp"
 #include "ipc/params/unit.hpp"

@@ -12,7 +12,7 @@
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/image/signal_translations.hpp"
 
 namespace polyturn::hmi {

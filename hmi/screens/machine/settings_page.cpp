@@ -2,7 +2,7 @@
 
 #include <QDateTime>
 
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

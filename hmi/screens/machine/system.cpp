@@ -9,7 +9,7 @@
 
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/diagnosis/details.hpp"
 
 namespace polyturn::hmi {

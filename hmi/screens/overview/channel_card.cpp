@@ -5,7 +5,7 @@
 
 #include "hmi/machine/live/axis_places.hpp"
 #include "hmi/machine/live/channel_words.hpp"
-#include "hmi/machine/tools/tool_at_work.hpp"
+#include "hmi/machine/tools/tool_in_work.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 

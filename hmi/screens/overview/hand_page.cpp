@@ -7,7 +7,7 @@
 #include "hmi/machine/tools/tool_words.hpp"
 #include "hmi/screens/overview/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/machine/active_tool.hpp"
 
 namespace polyturn::hmi {

@@ -9,7 +9,7 @@
 #include "hmi/screens/overview/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 #include "ipc/machine/start_words.hpp"
 
 namespace polyturn::hmi {

@@ -7,7 +7,7 @@
 #include "hmi/machine/programs/code_help.hpp"
 #include "hmi/screens/overview/channel_card.hpp"
 #include "hmi/screens/overview/operation_keys.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hmi/machine/live/channel_words.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -7,7 +7,7 @@
 #include "hmi/machine/tools/tool_words.hpp"
 #include "hmi/screens/overview/channel_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 

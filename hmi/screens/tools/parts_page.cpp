@@ -8,7 +8,7 @@
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/machine/tools/tool_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

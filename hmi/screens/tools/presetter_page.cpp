@@ -16,7 +16,7 @@
 #include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

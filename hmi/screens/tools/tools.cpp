@@ -6,7 +6,7 @@
 
 #include "hmi/text/search.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "hmi/widgets/upright.hpp"
+#include "hmi/widgets/portrait.hpp"
 
 namespace polyturn::hmi {
 namespace {

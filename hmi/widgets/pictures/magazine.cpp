@@ -295,13 +295,13 @@ void Magazine::compose(Writer& w) {
         w.fill(QRectF(width() * part.left(), height() - px(6), width() * part.width(), px(6)),
                t.edge, px(3));
     if (spots.empty()) {
-        Item& item = w.text(
-            QRectF(px(20), height() / 2.0 - px(60), width() - px(40), px(120)),
-            live_.connected()
-                ? word(
-                      "This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.")
-                : QString(),
-            lettering(16), t.dim, Qt::AlignCenter);
+        Item& item =
+            w.text(QRectF(px(20), height() / 2.0 - px(60), width() - px(40), px(120)),
+                   live_.connected()
+                       ? word("This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 "
+                              "describe it.")
+                       : QString(),
+                   lettering(16), t.dim, Qt::AlignCenter);
         item.wraps = true;
         return;
     }

@@ -11,14 +11,15 @@
 //   origin = { X = 0.0, Z = 0.0 }
 //   direction = { X = -1.0, Z = 0.0 }
 //   [chuck.S1]                         diameter, length (from its face backwards), jaws (from its
-//                                      face forwards)
-//                                      carried_by = "A6": it travels with that axis
+//                                      face forwards); carried_by = "A6": it travels with that axis
 //   [turret.L1]                        stations, reach (from its axis to the seats)
 //   body = [{ X = [0.0, 200.0], Z = [-80.0, 80.0] }]     what protection guards: rectangles about
 //                                                        the tool carrier's point
-//   tools = { 3 = [{ X = [-60.0, 0.0], Z = [-20.0, 5.0] }] }   and those of a station while it is in work
-//   tips = { 3 = { X = -60.0, Z = -20.0 } }                    where that shape's tip is: an offset that puts the tip elsewhere
-//                                                              takes the shape along
+//   tools = { 3 = [{ X = [-60.0, 0.0], Z = [-20.0, 5.0] }] }   and those of a station while it is
+//                                                              in work
+//   tips = { 3 = { X = -60.0, Z = -20.0 } }                    where that shape's tip is: an offset
+//                                                              that puts the tip elsewhere takes
+//                                                              the shape along
 //   [tailstock.1]                      diameter, length
 #pragma once
 

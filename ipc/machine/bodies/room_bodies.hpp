@@ -7,9 +7,13 @@
 // other stations along: they stand turned about that axis, seen from the side, and while the turret
 // turns each of them is anywhere on its circle.
 //
-//        axis o----- reach ---->| tool in work        a box from u to u' outwards of the axis, w wide across: turned by t it covers
-//              \                                      u cos t ... u' cos t, and w |sin t| on both sides
-//               \ t ---> [tool of the next station]   (across, the width of a tool is taken as its width along Z)
+//        axis o----- reach ---->| tool in work
+//              \
+//               \ t ---> [tool of the next station]
+//
+// A box from u to u' outwards of the axis, w wide across: turned by t it covers u cos t to
+// u' cos t, and w |sin t| on both sides (across, the width of a tool is taken as its width along
+// Z).
 //
 // Configuring allocates nothing: it happens at a tick start too.
 #pragma once

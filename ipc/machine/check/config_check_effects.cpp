@@ -1,9 +1,8 @@
 // What is stored but acts on nothing, and is set all the same: one warning for each, so that nobody
-// relies on it. A row says in its column
-// `acts` why it does not; single bits of rows that act are listed here, and their text says so too.
-// Addresses of hardware say where a
-// drive would be, which the drive interface answers (N0500 and on); they stand in every machine's
-// file and are no mistake.
+// relies on it. A row says in its column `acts` why it does not; single bits of rows that act are
+// listed here, and their text says so too. Addresses of hardware say where a drive would be, which
+// the drive interface answers (N0500 and on); they stand in every machine's file and are no
+// mistake.
 #include <array>
 #include <string_view>
 

@@ -3,7 +3,8 @@
 //
 //   primary     N2503 ........ N2502 ........ N2504      cells; N2501 apart
 //               smallest       machine zero   largest    cyclic: (N2504 - N2503) * N2501 = N2506
-//   secondary   N2508 ........ N2509                      N2507 apart; one period: (N2509 - N2508) * N2507 = N2510
+//   secondary   N2508 ........ N2509                      N2507 apart; one period:
+//                                                         (N2509 - N2508) * N2507 = N2510
 #include <cmath>
 #include <string>
 

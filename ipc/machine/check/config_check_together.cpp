@@ -174,7 +174,7 @@ void check_spindle(Report& report, unsigned s) {
         bit(report.table, n0609_spindle_encoder_config, s, 4))
         wrong(Alarm::ConfigSpindleSpeed, report.line(n0609_spindle_encoder_config, s) +
                                              ": oriented by the probe and by the PLC's switch");
-    // The builder's states of a spindle stand beside M3, M4, M5 and M19.
+    // The builder's states of a spindle are in addition to M3, M4, M5 and M19.
     const auto low = get(report.table, n0689_spindle_m_low, s),
                high = get(report.table, n0690_spindle_m_high, s);
     for (const std::int64_t code : {3, 4, 5, 19})

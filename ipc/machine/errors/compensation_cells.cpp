@@ -40,7 +40,7 @@ void use(std::map<std::int64_t, float>& values, std::int64_t first, std::int64_t
         values.emplace(n, 0.0F);
 }
 
-// What the tables use (check_compensation_tables judges the same ranges).
+// What the tables use (check_compensation_tables checks the same ranges).
 void use_tables(std::map<std::int64_t, float>& values, const Table& t) {
     for (unsigned a = 1; a <= kMaxAxes; ++a) {
         const auto first = get(t, n2503_primary_smallest_cell_no, a),

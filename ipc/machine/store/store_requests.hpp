@@ -1,22 +1,23 @@
 // What a StoreRequest says, for those who write one (channel, kernel, supervisor) and for the store
 // that reads it.
 //
-//   kind         number                     field                         name             value
-//   OffsetValue  offset number 1..999       table * 256 + OffsetField     -                as the table shows it
-//   WorkZero     row of ChannelStore::zeros place of the axis, kVolatile  or "G54 X"       as the table shows it
-//   Variable     index of the kept ones, -1 -                             or "#500"        NaN: empty
-//   Counter      0..99                      -                             -                value
-//   LastPosition axis, from 1               -                             -                machine coordinate, true mm or degrees
-//   Parameter    -                          kMoreFollows or 0             "N1600 L1=2.5"   -
-//   Query        -                          -                             "N1600 L1"       -
+//   kind         number                     field                       name            value
+//   OffsetValue  offset number 1..999       table * 256 + OffsetField   -               as shown
+//   WorkZero     row of ChannelStore::zeros axis index, kVolatile       or "G54 X"      as shown
+//   Variable     index of the saved, or -1  -                           or "#500"       NaN: empty
+//   Counter      0..99                      -                           -               value
+//   LastPosition axis, from 1               -                           -               coordinate
+//   Parameter    -                          kMoreFollows or 0           "N1600 L1=2.5"  -
+//   Query        -                          -                           "N1600 L1"      -
 //   Flush        answered when everything before it is on disk
 //
-// A name, where there is one, wins over the numbers. "As the table shows it": millimetres or
-// degrees, X as a diameter where the axis is a diameter axis. Indices 0..499 of the kept variables
-// are #500..#999; those from 500 belong to languages with other names. A variable that is none of
-// the kept ones is no error: it is just not stored. Parameter lines of one import follow each
-// other, all but the last with kMoreFollows: they are done together or not at all, and the machine
-// takes them in one tick. The answer to the last one tells; the others are answered "more follows".
+// A name, where there is one, wins over the numbers. "As shown": millimetres or degrees as the
+// table shows them, X as a diameter where the axis is a diameter axis. "Coordinate": of the
+// machine, true mm or degrees. Indices 0..499 of the saved variables are #500..#999; those from 500
+// belong to languages with other names. A variable that is not saved is no error: it is just not
+// stored. Parameter lines of one import follow each other, all but the last with kMoreFollows: they
+// are done together or not at all, and the machine takes them in one tick. The answer to the last
+// one says which; the others are answered "more follows".
 #pragma once
 
 #include <cstring>

@@ -9,7 +9,7 @@
 // its zeros.
 //   Fagor      G159Nn     the n-th, n = 1..20
 //   Sinumerik  G505..G599 the 5th to the 99th; G500 a row of its own ($P_UIFR[0])
-//   MEFI       G53        a row of its own: it is a system like the others and is added to none of them
+//   MEFI       G53        a row of its own: a system like the others, added to none of them
 #pragma once
 
 #include <cstddef>

@@ -49,10 +49,10 @@ const PolyturnDriveCommands* attach(const std::string& instance) {
             found->magic == POLYTURN_DRIVES_MAGIC && kill(found->writer_pid, 0) == 0) {
             if (found->version == POLYTURN_DRIVE_VERSION && found->size == sizeof *found)
                 return found;
-            std::fprintf(
-                stderr,
-                "polyturn-drives: the kernel speaks version %u of the drive interface, this is %u\n",
-                found->version, POLYTURN_DRIVE_VERSION);
+            std::fprintf(stderr,
+                         "polyturn-drives: the kernel speaks version %u of the drive interface, "
+                         "this is %u\n",
+                         found->version, POLYTURN_DRIVE_VERSION);
             return nullptr;
         }
         munmap(const_cast<PolyturnDriveCommands*>(found), sizeof *found);

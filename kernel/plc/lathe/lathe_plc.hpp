@@ -1,40 +1,41 @@
 // The built-in PLC: a lathe with chucks on its spindles, turrets with driven tools, gear ranges,
 // coolant and helpers.
 //
-//   code            what happens                                                finished
-//   M3 M4 M5        CN_SSEL's spindle turns right, left, stops; M3 M4 are       at once: a feed waits for the speed, not
-//                   refused while its chuck is open                             this code
-//   M19             CN_SSEL's spindle is oriented (SP_ROT 19, SP_OREQ)          in position (SN_INPOS)
-//   N0823's code    its position loop closes where it stops                     in position
-//   N0689 to N0690  the builder's own states of the spindle: SP_ROT             at once
-//   M41 to M48      gear range 1 to 8, as far as PT_GEAR_RANGES goes: the       after PT_GEAR_TIME at creep speed
-//                   spindle creeps (SP_PAR) until the range is engaged; M40     (M40 at once)
-//                   chooses by S
-//   M8 M9           coolant of the channel on, off                              at once
-//   M10 M11         chuck of CN_SSEL's spindle clamps, opens; opening waits     PT_CHUCK_TIME after that
-//                   for a spindle that M5 stops, and is refused while it turns
-//   M13 M14 M15     driven tool of the channel's turret right, left, stop       at once
-//   T               turret goes the shorter way, or forwards only               PT_TURRET_TIME a station, then
-//                   (PT_TURRET_FORWARD), to the station of that number, or      PT_TURRET_CLAMP; at once when there is
-//                   to CN_POTNO where tool management has found the tool in     no movement
-//                   its magazine (CN_MGZNO); T0 needs no movement
-//   M2 M30          the spindles that this channel started stop, its coolant    at once
+//   code            what happens                                             finished
+//   M3 M4 M5        CN_SSEL's spindle turns right, left, stops; M3 M4 are    at once: a feed waits
+//                   refused while its chuck is open                          for the speed, not
+//                                                                            this code
+//   M19             CN_SSEL's spindle is oriented (SP_ROT 19, SP_OREQ)       in position (SN_INPOS)
+//   N0823's code    its position loop closes where it stops                  in position
+//   N0689 to N0690  the builder's own states of the spindle: SP_ROT          at once
+//   M41 to M48      gear range 1 to 8, as far as PT_GEAR_RANGES goes: the    after PT_GEAR_TIME
+//                   spindle creeps (SP_PAR) until the range is engaged; M40  at creep speed
+//                   chooses by S                                             (M40 at once)
+//   M8 M9           coolant of the channel on, off                           at once
+//   M10 M11         chuck of CN_SSEL's spindle clamps, opens; opening waits  PT_CHUCK_TIME after
+//                   for a spindle that M5 stops, and is refused while it turns  that
+//   M13 M14 M15     driven tool of the channel's turret right, left, stop    at once
+//   T               turret turns in the shorter direction, or forwards only  PT_TURRET_TIME a
+//                   (PT_TURRET_FORWARD), to the station of that number, or   station, then
+//                   to CN_POTNO where tool management has found the tool in  PT_TURRET_CLAMP; at
+//                   its magazine (CN_MGZNO); T0 needs no movement            once without movement
+//   M2 M30          the spindles that this channel started stop, its coolant at once
 //                   and driven tool too; a reset does the same
-//   helpers         each has the codes n and n+1 that its parameter gives, 0:   after the time of the helper
-//                   there is none: tailstock forwards and back (PT_M_TAILSTOCK), bar feed
-//                   (PT_M_BAR: opens the chuck, feeds,
-//                   clamps), parts catcher out and in (PT_M_CATCHER), door open and closed
-//                   (PT_M_DOOR), C axis and spindle
-//                   (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel;
-//                   axes are coupled
-//                   and set free again by PT_M_SYNC (AP_SYNCR), PT_M_MIX (AP_MIXR), PT_M_SUPER
-//                   (AP_SPRPNR)
-//   PT_M_FOLLOW     n, n+1: the spindle follows its master, as it comes or with   when the NC says so (SN_SYNCA):
-//                   the phase N0685; n+2: it is free                              refused after kSpindleTimeS
-//   PT_M_TORQUE     the drive of the axis gives only PT_STOP_TORQUE; n+1: all     when the NC has let it go (AN_FIXED)
-//   S, B, other M   nothing                                                     at once
-//   of an axis      M3 M4 M5 as above; nothing else (AN_PAXFSTR: the codes of    at once
+//   helpers         each has the codes n and n+1 that its parameter gives, 0:after the time of
+//                   there is none (list below)                               the helper
+//   PT_M_FOLLOW     n, n+1: the spindle follows its master, as it comes or   when the NC says so
+//                   with the phase N0685; n+2: it is free                    (SN_SYNCA): refused
+//                                                                            after kSpindleTimeS
+//   PT_M_TORQUE     the drive of the axis gives only PT_STOP_TORQUE; n+1: allwhen the NC has let
+//                                                                            it go (AN_FIXED)
+//   S, B, other M   nothing                                                  at once
+//   of an axis      M3 M4 M5 as above; nothing else (AN_PAXFSTR: the codes ofat once
 //                   a program that the axis runs by itself)
+//
+// Helpers: tailstock forwards and back (PT_M_TAILSTOCK), bar feed (PT_M_BAR: opens the chuck,
+// feeds, clamps), parts catcher out and in (PT_M_CATCHER), door open and closed (PT_M_DOOR), C axis
+// and spindle (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel; axes are
+// coupled and set free again by PT_M_SYNC (AP_SYNCR), PT_M_MIX (AP_MIXR), PT_M_SUPER (AP_SPRPNR).
 //
 // Whose spindle: who gave the last M3, M4 or M19 to it. So the end of one turret's program leaves a
 // spindle alone that the other turret has started. Emergency stop and machine off stop everything;
@@ -202,7 +203,6 @@ private:
         PolyturnPlcOutputs& out;
     };
 
-    // resolve.cpp
     // lathe_plc.cpp: strobes, codes, what they wait for
     void take_codes(View view, std::uint32_t channel);
     void start_m(View view, std::uint32_t channel, std::int32_t code);

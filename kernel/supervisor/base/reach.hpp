@@ -3,8 +3,7 @@
 // have any file of the computer read out to him.
 //
 //   operator and below   program folders: where the controller was started, PT_PROGRAM_FOLDERS, the
-//                        examples that come with it,
-//                        USB sticks, the places of /etc/polyturn/places
+//                        examples that come with it, USB sticks, the places of /etc/polyturn/places
 //   setter               these, and the machine's folder
 //   maker                every file that the controller can read
 //

@@ -2,8 +2,8 @@
 // A channel knows what it has commanded itself, and by each rendezvous all that its partners knew
 // there. Of what two of them knew the later command counts.
 //
-//   L1  M3 S1 ---- M500 ---- M5 --- M501 ----        behind M500 L2 knows that S1 turns; M5 it learns at M501
-//   L2  ---------- M500 -- G1 F0.2 - M501 ----
+//   L1  M3 S1 ---- M500 ---- M5 --- M501 ----        behind M500 L2 knows that S1 turns;
+//   L2  ---------- M500 -- G1 F0.2 - M501 ----       M5 it learns at M501
 //
 // Weakness: a partner that stops the spindle between two rendezvous is learnt of at the next one
 // only.

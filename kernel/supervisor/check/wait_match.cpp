@@ -67,7 +67,9 @@ void WaitMatcher::begin(unsigned channel) {
     place(channel);
 }
 
-void WaitMatcher::mark(unsigned channel, std::int32_t code) { board_.mark(channel - 1, code, true); }
+void WaitMatcher::mark(unsigned channel, std::int32_t code) {
+    board_.mark(channel - 1, code, true);
+}
 
 void WaitMatcher::end(unsigned channel, bool broken) {
     tracks_[channel].ended = true;

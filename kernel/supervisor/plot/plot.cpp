@@ -21,11 +21,13 @@ void definitions(Svg& svg, const JobPlan& plan) {
         "<pattern id=\"stock\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
         "patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" "
         "fill=\"#f4f1e8\"/>"
-        "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#e2dac6\" stroke-width=\"1.4\"/></pattern>\n"
+        "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#e2dac6\" "
+        "stroke-width=\"1.4\"/></pattern>\n"
         "<pattern id=\"wait\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
         "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" "
         "fill=\"#ffffff\"/>"
-        "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"6\" stroke=\"#cdd3d6\" stroke-width=\"2\"/></pattern>\n");
+        "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"6\" stroke=\"#cdd3d6\" "
+        "stroke-width=\"2\"/></pattern>\n");
     for (const auto& [channel, program] : plan.programs)
         svg.raw(fmt::format(
             "<pattern id=\"thread{0}\" width=\"4\" height=\"4\" "

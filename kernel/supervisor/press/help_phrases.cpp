@@ -13,9 +13,11 @@ constexpr auto kHelp = std::to_array<Phrase>({
      "Na co se programy ptají obsluhy; se slovy: odpověď, 'L1 #500=12.5 key=1'",
      "Mit kérdeznek a programok a kezelőtől; szavakkal: a válasz, 'L1 #500=12.5 key=1'"},
     {"Exit status: 0 done; 1 the job ended with an alarm; 2 wrong usage or unreadable input.",
-     "Код завершения: 0 выполнено; 1 задание закончилось аварией; 2 неверный вызов или нечитаемый ввод.",
+     "Код завершения: 0 выполнено; 1 задание закончилось аварией; 2 неверный вызов или нечитаемый "
+     "ввод.",
      "Návratový kód: 0 hotovo; 1 úloha skončila poruchou; 2 chybné použití nebo nečitelný vstup.",
-     "Kilépési kód: 0 kész; 1 a feladat hibával ért véget; 2 hibás használat vagy olvashatatlan bemenet."},
+     "Kilépési kód: 0 kész; 1 a feladat hibával ért véget; 2 hibás használat vagy olvashatatlan "
+     "bemenet."},
     {"A job's zeros and offsets, on a running controller",
      "Нулевые точки и корректоры задания на работающем контроллере",
      "Nulové body a korekce zakázky na běžícím řízení",
@@ -29,9 +31,11 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"NAME.job.toml", "ИМЯ.job.toml", "JMÉNO.job.toml", "NÉV.job.toml"},
     {"Exit status: 0 done, or nothing differs; 1 something differs or this machine does not "
      "have it; 2 refused.",
-     "Код завершения: 0 выполнено или различий нет; 1 есть различия либо у станка этого нет; 2 отказано.",
+     "Код завершения: 0 выполнено или различий нет; 1 есть различия либо у станка этого нет; 2 "
+     "отказано.",
      "Návratový kód: 0 hotovo, nebo se nic neliší; 1 něco se liší nebo to stroj nemá; 2 odmítnuto.",
-     "Kilépési kód: 0 kész, vagy nincs eltérés; 1 eltérés van, vagy a gépnek nincs ilyenje; 2 elutasítva."},
+     "Kilépési kód: 0 kész, vagy nincs eltérés; 1 eltérés van, vagy a gépnek nincs ilyenje; 2 "
+     "elutasítva."},
     {"Usage", "Вызов", "Použití", "Használat"},
     {"OPTIONS", "ПАРАМЕТРЫ", "VOLBY", "KAPCSOLÓK"},
     {"Options", "Параметры", "Volby", "Kapcsolók"},
@@ -50,7 +54,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"L=FILE (channel and file), FILE (the first for channel 1, and so on), or one NAME.job.toml",
      "L=ФАЙЛ (канал и файл), ФАЙЛ (первый для канала 1 и так далее) или одно ИМЯ.job.toml",
      "L=SOUBOR (kanál a soubor), SOUBOR (první pro kanál 1 a tak dále) nebo jedno JMÉNO.job.toml",
-     "L=FÁJL (csatorna és fájl), FÁJL (az első az 1. csatornáé és így tovább), vagy egy NÉV.job.toml"},
+     "L=FÁJL (csatorna és fájl), FÁJL (az első az 1. csatornáé és így tovább), vagy egy "
+     "NÉV.job.toml"},
     {"[L=]NAME: fanuc, nct, fagor, sinumerik or mefi; otherwise the machine says",
      "[L=]ИМЯ: fanuc, nct, fagor, sinumerik или mefi; иначе решает станок",
      "[L=]JMÉNO: fanuc, nct, fagor, sinumerik nebo mefi; jinak určuje stroj",
@@ -58,7 +63,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"parameter file, or folder with machine.params; default: examples/machines/twin-turret",
      "файл параметров или папка с machine.params; по умолчанию examples/machines/twin-turret",
      "soubor parametrů nebo složka s machine.params; výchozí examples/machines/twin-turret",
-     "paraméterfájl vagy machine.params-ot tartalmazó mappa; alapérték: examples/machines/twin-turret"},
+     "paraméterfájl vagy machine.params-ot tartalmazó mappa; alapérték: "
+     "examples/machines/twin-turret"},
     {"one parameter: 'NAME [SCOPE]=VALUE', such as 'N1300 L1=5'; repeatable",
      "один параметр: 'ИМЯ [ОБЛАСТЬ]=ЗНАЧЕНИЕ', например 'N1300 L1=5'; можно повторять",
      "jeden parametr: 'JMÉNO [ROZSAH]=HODNOTA', např. 'N1300 L1=5'; lze opakovat",
@@ -92,9 +98,11 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"what happens while it runs (TOML)", "что происходит во время прогона (TOML)",
      "co se děje za běhu (TOML)", "ami futás közben történik (TOML)"},
     {"report each change of this flag or register, such as 'CN_WTNG L1' (run); repeatable",
-     "сообщать о каждом изменении этого флага или регистра, например 'CN_WTNG L1' (run); можно повторять",
+     "сообщать о каждом изменении этого флага или регистра, например 'CN_WTNG L1' (run); можно "
+     "повторять",
      "hlásit každou změnu tohoto příznaku nebo registru, např. 'CN_WTNG L1' (run); lze opakovat",
-     "jelenti ennek a jelzőnek vagy regiszternek minden változását, például 'CN_WTNG L1' (run); ismételhető"},
+     "jelenti ennek a jelzőnek vagy regiszternek minden változását, például 'CN_WTNG L1' (run); "
+     "ismételhető"},
     {"virtual time: as fast as it goes, identical every time",
      "виртуальное время: с наибольшей скоростью, каждый раз одинаково",
      "virtuální čas: co nejrychleji, pokaždé stejně",
@@ -158,7 +166,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'",
      "Задаёт сигнал ПЛК, регистр, вход, отказ привода или параметр: 'AP_SYNCR A3=1'",
      "Vnutí signál PLC, registr, vstup nebo poruchu pohonu, nebo nastaví parametr: 'AP_SYNCR A3=1'",
-     "PLC-jelet, regisztert, bemenetet vagy hajtáshibát kényszerít, vagy paramétert állít: 'AP_SYNCR A3=1'"},
+     "PLC-jelet, regisztert, bemenetet vagy hajtáshibát kényszerít, vagy paramétert állít: "
+     "'AP_SYNCR A3=1'"},
     {"Gives a forced signal back to the PLC: 'AP_SYNCR A3'",
      "Возвращает заданный сигнал ПЛК: 'AP_SYNCR A3'", "Vrátí vnucený signál PLC: 'AP_SYNCR A3'",
      "Visszaadja a kényszerített jelet a PLC-nek: 'AP_SYNCR A3'"},

@@ -21,8 +21,10 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"other", "прочее", "ostatní", "egyéb"},
     {"line {}", "строка {}", "řádek {}", "{}. sor"},
     {"lines {} to {}", "строки {}–{}", "řádky {} až {}", "{}–{}. sor"},
-    {"One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).",
-     "Револьверные головки по очереди заняли бы {:.1f} с; одновременная работа экономит {:.1f} с ({:.0f} %).",
+    {"One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} "
+     "%).",
+     "Револьверные головки по очереди заняли бы {:.1f} с; одновременная работа экономит {:.1f} с "
+     "({:.0f} %).",
      "Hlavy po sobě by potřebovaly {:.1f} s; současnou prací se ušetří {:.1f} s ({:.0f} %).",
      "Egymás után a revolverfejek {:.1f} s-ig dolgoznának; egyszerre dolgozva {:.1f} s-ot "
      "takarítanak meg ({:.0f} %)."},
@@ -34,9 +36,12 @@ constexpr auto kPhrases = std::to_array<Phrase>({
      "a {} kratších, dohromady {:.2f} s", "és {} rövidebb, együtt {:.2f} s"},
     {"Which cut to move", "Какой проход перенести", "Který řez přesunout",
      "Melyik fogást érdemes áttenni"},
-    {"{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.",
-     "{} {}, L{} ({:.1f} с{}): L{} ждёт этого {:.1f} с на {}. Переданный в L{}, он экономит до {:.1f} с.",
-     "{} {}, L{} ({:.1f} s{}): L{} na to čeká {:.1f} s u {}. Předáno kanálu L{} ušetří až {:.1f} s.",
+    {"{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to "
+     "{:.1f} s.",
+     "{} {}, L{} ({:.1f} с{}): L{} ждёт этого {:.1f} с на {}. Переданный в L{}, он экономит до "
+     "{:.1f} с.",
+     "{} {}, L{} ({:.1f} s{}): L{} na to čeká {:.1f} s u {}. Předáno kanálu L{} ušetří "
+     "až {:.1f} s.",
      "{} {}, L{} ({:.1f} s{}): L{} {:.1f} s-ot vár rá itt: {}. L{} csatornára téve akár {:.1f} "
      "s-ot takarít meg."},
     // dialogues
@@ -69,7 +74,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
      "Nulové body a korekce zakázky jsou zadány.\n",
      "A munka nullpontjai és korrekciói be vannak írva.\n"},
     {"polyturn: all drives are simulated: a late tick stops nothing (PT_LATE_MAX=1000).\n",
-     "polyturn: все приводы смоделированы: опоздавший такт ничего не останавливает (PT_LATE_MAX=1000).\n",
+     "polyturn: все приводы смоделированы: опоздавший такт ничего не останавливает "
+     "(PT_LATE_MAX=1000).\n",
      "polyturn: všechny pohony jsou simulované: opožděný takt nic nezastaví (PT_LATE_MAX=1000).\n",
      "polyturn: minden hajtás szimulált: késő ütem semmit sem állít le (PT_LATE_MAX=1000).\n"},
     {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
@@ -98,7 +104,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     // start
     {"polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with "
      "Ctrl-C or SIGTERM.\n",
-     "polyturn: система «{}» работает: каналов {}, осей {}, шпинделей {}. Завершение: Ctrl-C или SIGTERM.\n",
+     "polyturn: система «{}» работает: каналов {}, осей {}, шпинделей {}. Завершение: Ctrl-C или "
+     "SIGTERM.\n",
      "polyturn: systém „{}“ běží: kanálů {}, os {}, vřeten {}. Ukončení: Ctrl-C nebo SIGTERM.\n",
      "polyturn: a(z) „{}” vezérlés fut: {} csatorna, {} tengely, {} főorsó. Leállítás: Ctrl-C "
      "vagy SIGTERM.\n"},

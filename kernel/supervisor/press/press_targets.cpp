@@ -117,7 +117,8 @@ Result<std::vector<Command>> drive_fault(std::string_view whom, std::string_view
             Alarm::PressArgument,
             {},
             {},
-            "a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 cycles) or ok"};
+            "a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 "
+            "cycles) or ok"};
     return std::vector<Command>{command};
 }
 

@@ -10,7 +10,8 @@
 namespace polyturn::supervisor {
 
 inline constexpr std::string_view kScopeShape =
-    "scope 1 measured A3 (trace 1 to 8; command measured error velocity torque compensation A3, speed_command speed angle deviation S1, path left L1, signal NAME, input 5, off)";
+    "scope 1 measured A3 (trace 1 to 8; command measured error velocity torque compensation A3, "
+    "speed_command speed angle deviation S1, path left L1, signal NAME, input 5, off)";
 Result<Command> parse_scope(std::string_view words, const MachineConfig& machine);
 
 }  // namespace polyturn::supervisor

@@ -1,6 +1,5 @@
 // `polyturn run`: programs on a private controller of their own, in real or virtual time, with
-// everything that happens
-// printed as events (cli.md 4).
+// everything that happens printed as events (cli.md 4).
 #pragma once
 #include "kernel/supervisor/base/options.hpp"
 

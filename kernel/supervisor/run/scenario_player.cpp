@@ -134,7 +134,8 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
                         {},
                         {},
                         fmt::format(
-                            "'{}' is no process: channel L, plc, toolmgmt, hmi, cell, drives, kernel",
+                            "'{}' is no process: channel L, plc, toolmgmt, hmi, cell, drives, "
+                            "kernel",
                             stimulus.words)};
                     break;
                 }

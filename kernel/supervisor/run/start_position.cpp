@@ -22,9 +22,7 @@ double active_zero(const text::ChannelSetup& channel, Dialect dialect, const std
                               ? *row == 0 || *row == 1 || *row == 7
                           : dialect == Dialect::Sinumerik ? *row == *work_zero_row("G500")
                           : dialect == Dialect::Mefi      ? *row == *work_zero_row("G53")
-                                                     // Fagor: machine
-                                                     // zero until a
-                                                     // program selects
+                                                     // Fagor: machine zero until a program selects
                                                      // one
                                                      : false;
         if (acts) sum += value->second;

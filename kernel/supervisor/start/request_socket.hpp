@@ -5,9 +5,8 @@
 //
 // Nobody waits here for anybody else:
 //   - A stop (RequestClass::Stop) acts as soon as its line has come, before the lines that stand in
-//     front of it on its connection; its
-//     answer keeps its place. If any of those lines acts later, the stop acts again in its turn: a
-//     start never has the last word.
+//     front of it on its connection; its answer keeps its place. If any of those lines acts later,
+//     the stop acts again in its turn: a start never has the last word.
 //   - All other lines act in turn, one of each connection, as long as a turn's time lasts; the rest
 //     stays in its connection.
 //   - Who does not read his answers is read no more while more than kMostUnread wait for him, and

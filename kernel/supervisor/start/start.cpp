@@ -58,11 +58,10 @@ void keep_braking_profile(StartOptions& options, params::Table& table) {
     const auto assignment = params::parse_assignment(line);
     if (!assignment || !params::apply(table, {&*assignment, 1})) return;
     options.sets.push_back(line);
-    std::fputs(
-        std::string(
-            say("polyturn: all drives are simulated: a late tick stops nothing (PT_LATE_MAX=1000).\n"))
-            .c_str(),
-        stderr);
+    std::fputs(std::string(say("polyturn: all drives are simulated: a late tick stops nothing "
+                               "(PT_LATE_MAX=1000).\n"))
+                   .c_str(),
+               stderr);
 }
 
 }  // namespace

@@ -195,7 +195,8 @@ Result<std::string> status_json(const std::string& instance) {
         const SpindleStatus& spindle = p.status.spindles[i];
         comma(spindles);
         spindles += fmt::format(
-            "{{\"spindle\":\"S{}\",\"command\":{},\"speed\":{},\"angle\":{},\"override\":{},\"owner\":{}}}",
+            "{{\"spindle\":\"S{}\",\"command\":{},\"speed\":{},\"angle\":{},\"override\":{},"
+            "\"owner\":{}}}",
             i + 1, number(spindle.command), number(spindle.speed), number(spindle.angle),
             number(spindle.override), spindle.owner);
     }

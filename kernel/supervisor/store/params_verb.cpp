@@ -146,10 +146,10 @@ int set(const ParamsOptions& options) {
         }
     if (!options.instance.empty()) return send_lines(options.instance, options.arguments, false);
     if (options.machine.empty()) {
-        std::fputs(
-            say("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n")
-                .data(),
-            stderr);
+        std::fputs(say("polyturn: say --instance NAME (a running controller) or --machine FILE (a "
+                       "machine's file)\n")
+                       .data(),
+                   stderr);
         return 2;
     }
     return append_lines(options.machine, options.arguments);
@@ -234,10 +234,10 @@ int import_file(const ParamsOptions& options) {
         return send_lines(options.instance, lines, true);
     }
     if (options.machine.empty()) {
-        std::fputs(
-            say("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n")
-                .data(),
-            stderr);
+        std::fputs(say("polyturn: say --instance NAME (a running controller) or --machine FILE (a "
+                       "machine's file)\n")
+                       .data(),
+                   stderr);
         return 2;
     }
     return append_lines(options.machine, lines);

@@ -7,8 +7,9 @@
 // The path is cut into intervals of fixed length ds_i; on each of them jerk is constant. Unknown
 // are speed v and acceleration a at the nodes, duration h and jerk j of the intervals:
 //     v' = v + a h + j h^2/2      a' = a + j h      v h + a h^2/2 + j h^3/6 = ds       (equalities)
-//     |t a + k v^2| <= A          |t j + 3 k v a + p v^3| <= J     at both ends, for each axis; t, k, p: the first three
-//     0 <= v <= ceiling            derivatives of its position over the path
+//     |t a + k v^2| <= A          |t j + 3 k v a + p v^3| <= J     at both ends, for each axis
+//     0 <= v <= ceiling
+// t, k, p: the first three derivatives of the axis' position over the path.
 // Wanted: the least sum of h, from rest to rest. Solved by Ipopt with exact derivatives. What it
 // finds can be driven (on the nodes exactly, between them nearly), so it is an upper bound of the
 // optimum that falls as the grid gets finer.

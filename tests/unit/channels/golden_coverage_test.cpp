@@ -177,14 +177,16 @@ constexpr auto kLeftOut = std::to_array<LeftOut>({
     {"StoreRowIgnored", "a damaged store"},
     {"ProgramNumberMissing", "check of a channel that the machine does not have"},
     {"CompIdleBlocks",
-     "fagor and sinumerik: here any number of blocks may stand between two moves (fanuc_lathe 3.12)"},
+     "fagor and sinumerik: here any number of blocks may stand between two moves "
+     "(fanuc_lathe 3.12)"},
     {"CompNoOffsetMeeting", "sinumerik: elements that are too short for the nose"},
     {"CurveUnderCompensation", "sinumerik: splines and polynomials"},
     {"FagorTangential", "fagor: G37 to G39"},
     {"FagorZoneEntered", "fagor: G122"},
     {"FagorZoneLeft", "fagor: G122"},
     {"ProgramAlarmUnsure",
-     "several channels whose axes follow each other: examples/jobs/transfer, tests/e2e/check/check_and_run_e2e.py"},
+     "several channels whose axes follow each other: examples/jobs/transfer, "
+     "tests/e2e/check/check_and_run_e2e.py"},
     {"SubframeRotates", "sinumerik: corners and compensation in a plane that a frame inclines"},
 });
 

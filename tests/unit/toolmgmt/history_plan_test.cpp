@@ -74,7 +74,9 @@ TEST(HistoryByText, IsLookedForSomeRowsAtATime) {
             ("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " +
              std::to_string(kRows) +
              ") INSERT INTO history(utc, who, what, old, new) "
-             "SELECT printf('2026-01-01T%02d:%02d:%02d.000Z', i / 3600, i / 60 % 60, i % 60), CASE i % 2 WHEN 0 THEN 'anna' ELSE 'program' END, CASE i WHEN 1 THEN 'L7 offset 9 wear Z' ELSE 'L1 offset 3 wear X' END, '0', '1' FROM n")
+             "SELECT printf('2026-01-01T%02d:%02d:%02d.000Z', i / 3600, i / 60 % 60, i % 60), CASE "
+             "i % 2 WHEN 0 THEN 'anna' ELSE 'program' END, CASE i WHEN 1 THEN 'L7 offset 9 wear Z' "
+             "ELSE 'L1 offset 3 wear X' END, '0', '1' FROM n")
                 .c_str()))
             << sqlite3_errmsg(db);
         sqlite3_close_v2(db);

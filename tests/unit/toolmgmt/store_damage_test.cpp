@@ -15,8 +15,8 @@
 #include "tests/places.hpp"
 #include "tests/seeds.hpp"
 #include "toolmgmt/database.hpp"
-#include "toolmgmt/promise/page_sums.hpp"
-#include "toolmgmt/promise/witness.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
+#include "toolmgmt/durability/witness.hpp"
 
 namespace {
 

@@ -381,14 +381,14 @@ TEST(StoreOnDisk, IsARowOfAnotherMachineLeftOutWithAWarning) {
     sqlite3* db = nullptr;
     ASSERT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
     ASSERT_EQ(
-        sqlite3_exec(
-            db,
-            "INSERT INTO parameters VALUES('N9999',1,0,5,NULL); INSERT INTO parameters VALUES('N0105',1,0,77,NULL);"
-            "INSERT INTO offsets VALUES(1,5000,0,1); INSERT INTO zeros VALUES(40,1,0,1);",
-            nullptr, nullptr, nullptr),
+        sqlite3_exec(db,
+                     "INSERT INTO parameters VALUES('N9999',1,0,5,NULL); INSERT INTO parameters "
+                     "VALUES('N0105',1,0,77,NULL);"
+                     "INSERT INTO offsets VALUES(1,5000,0,1); INSERT INTO zeros VALUES(40,1,0,1);",
+                     nullptr, nullptr, nullptr),
         SQLITE_OK);
     sqlite3_close(db);
-    polyturn::test::forget_promises(folder);
+    polyturn::test::forget_acknowledged(folder);
     ASSERT_TRUE(rig.start({"--store", folder, "--machine", kMachine})) << rig.messages();
     EXPECT_EQ(rig.value_of("N0105 L1"), "2");
     EXPECT_NE(rig.messages().find("N9999"), std::string::npos);

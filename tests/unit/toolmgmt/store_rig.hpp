@@ -25,9 +25,9 @@
 
 namespace polyturn::test {
 
-// A store as a version left it that promised nothing: somebody may have worked on its file with
+// A store as a version left it that acknowledged nothing: somebody may have worked on its file with
 // other tools.
-inline void forget_promises(const std::string& folder) {
+inline void forget_acknowledged(const std::string& folder) {
     for (const char* name : {"store.witness", "store.sums"})
         std::filesystem::remove(folder + "/" + name);
     sqlite3* db = nullptr;

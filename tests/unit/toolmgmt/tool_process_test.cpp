@@ -289,10 +289,11 @@ TEST(Schema, OfAnOlderVersionIsBroughtUpToDateWithItsData) {
     ASSERT_EQ(rig.ask(offset_request(1, 3, OffsetTable::Wear, OffsetField::X, 0.02))->ok, 1u);
     EXPECT_EQ(rig.stop(), 0);
     const std::string file = rig.folder + "/store/store.sqlite";
-    polyturn::test::forget_promises(rig.folder + "/store");
+    polyturn::test::forget_acknowledged(rig.folder + "/store");
     run_sql(
         file,
-        "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations WHERE version > 1; PRAGMA user_version=1");
+        "DROP TABLE promise; DROP TABLE records; DROP INDEX history_utc; DELETE FROM migrations "
+        "WHERE version > 1; PRAGMA user_version=1");
     ASSERT_TRUE(rig.start(arguments)) << rig.messages();
     EXPECT_EQ(rig.channel(1)->offsets[3].wear[0], 0.02);
     add_tool(rig, {{"type", 3}}, 3);

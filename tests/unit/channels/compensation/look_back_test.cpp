@@ -2,7 +2,9 @@
 // inside is not.
 //
 //        Z20 ------- N20 ------> Z1.5 .   . Z-1.5 ------- N40 ----->       X40, the nose above it
-//                                    (  N30  )                              a hole of radius 2.5 about X36 Z0, its neck 3 wide
+//                                    (  N30  )                              a hole of radius 2.5
+//                                                                           about X36 Z0, its neck
+//                                                                           is 3 wide
 #include <gtest/gtest.h>
 
 #include "../play.hpp"

@@ -55,7 +55,7 @@ protected:
 //                     (20,20)        left of the contour, radius 1:
 //                        ^             way in    to (0,0) + (0,1)
 //    in  ....            |             1st line  to the inner corner (20,0) + (-1,1)
-//        (0,0)--------(20,0)           2nd line  to (20,20) + (-1,0), and out to the programmed point
+//        (0,0)--------(20,0)           2nd line  to (20,20) + (-1,0), then to the programmed point
 TEST_F(NoseVector, IsWhatStandsBetweenTheProgrammedEndAndTheNose) {
     nose.select(1);
     to(0, 0);

@@ -37,7 +37,8 @@ TEST(FanucBlock, MovesTheAxesWhereItsWordsSay) {
         {"S500 M3\nG99 G1 X10. F0.25", R"("feed":{"mode":"per_rev","value":0.25})"},
         {"S500 M3\nG99 G1 X10. F2500", R"("feed":{"mode":"per_rev","value":0.25})"},  // 0.0001 mm
         {"G98 F50\nG2 X20. Z-10. R10.",
-         R"("kind":"cw","pos":{"X":20,"Z":-10,"C":0},"machine":{"X":10,"Z":-10,"C":0},"centre":{"Z":0,"X":10},"radius":10)"},
+         R"("kind":"cw","pos":{"X":20,"Z":-10,"C":0},"machine":{"X":10,"Z":-10,"C":0},)"
+         R"("centre":{"Z":0,"X":10},"radius":10)"},
         {"G98 F50\nG3 X20. Z-10. R10.", R"("centre":{"Z":-10,"X":0},"radius":10)"},
         {"G98 F50\nG3 X20. Z-10. I0 K-10.", R"("centre":{"Z":-10,"X":0},"radius":10)"},
         {"G98 F50\nG2 I5.", R"("centre":{"Z":0,"X":5},"radius":5)"},  // a full circle
@@ -50,7 +51,8 @@ TEST(FanucBlock, MovesTheAxesWhereItsWordsSay) {
         {"G52 X10.\nG0 X1.", R"("machine":{"X":5.5,)"},
         {"G50 X9. Z9.\nG53 X30. Z0", R"("machine":{"X":15,"Z":0,)"},
         {"S500 M3\nG32 Z-20. F1.5",
-         R"("kind":"thread","pos":{"X":0,"Z":-20,"C":0},"machine":{"X":0,"Z":-20,"C":0},"lead":1.5,"start_angle":0)"},
+         R"("kind":"thread","pos":{"X":0,"Z":-20,"C":0},"machine":{"X":0,"Z":-20,"C":0},)"
+         R"("lead":1.5,"start_angle":0)"},
         {"S500 M3\nG32 Z-20. F1.5 Q90000", R"("start_angle":90)"},
         {"/G0 X5.\nG0 X6.", R"("X":6)"},
         {"G0 X1. (X9.) Z2.", R"("pos":{"X":1,"Z":2,)"},

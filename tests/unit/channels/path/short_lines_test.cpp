@@ -32,7 +32,7 @@ struct Circle {
         program.maker.flush();
         records = std::move(out.records);
     }
-    // The least ceiling away from the ends.
+    // The least speed limit away from the ends.
     double slowest() const {
         double v = 1e9;
         for (std::size_t n = records.size() / 4; n < records.size() * 3 / 4; ++n)

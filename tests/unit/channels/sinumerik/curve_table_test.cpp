@@ -74,8 +74,11 @@ TEST(CurveTables, RepeatThemselves) {
     expect(
         run("DEF REAL GG\nG18 G90 DIAMOF\nCTABDEF(X,Z,1,1)\n" + rows +
             "CTABDEF(X,Z,2,2,\"DRAM\")\n" + rows +
-            "R1=CTAB(25,1,GG) R2=CTAB(25,2,GG) R3=CTAB(-5,2,GG) R4=CTABPERIOD(1) R5=CTABPERIOD(2) R6=CTABPERIOD(7)\n"
-            "R7=CTABMEMTYP(1) R8=CTABMEMTYP(2) R9=CTABNO() R10=CTABNOMEM(\"DRAM\") R11=CTABID(1,\"DRAM\") R12=CTABEXISTS(2) R13=CTABEXISTS(9) R14=CTABINV(47,0,2,GG) R15=CTABINV(17,38,1,GG)\n"
+            "R1=CTAB(25,1,GG) R2=CTAB(25,2,GG) R3=CTAB(-5,2,GG) R4=CTABPERIOD(1) R5=CTABPERIOD(2) "
+            "R6=CTABPERIOD(7)\n"
+            "R7=CTABMEMTYP(1) R8=CTABMEMTYP(2) R9=CTABNO() R10=CTABNOMEM(\"DRAM\") "
+            "R11=CTABID(1,\"DRAM\") R12=CTABEXISTS(2) R13=CTABEXISTS(9) R14=CTABINV(47,0,2,GG) "
+            "R15=CTABINV(17,38,1,GG)\n"
             "M30\n"),
         {{"R1", "15"},
          {"R2", "35"},
@@ -103,21 +106,20 @@ TEST(CurveTables, HaveRolloverAxesAsTheyAreWritten) {
 }
 
 TEST(CurveTables, AreLockedAndDeleted) {
-    expect(
-        run(kTable +
-            "CTABLOCK(3)\nR1=CTABISLOCK(3)\nCTABUNLOCK(3)\n"
-            "R2=CTABISLOCK(3)\nR3=CTABFNO(\"SRAM\") R4=CTABSEG(\"SRAM\",\"L\") R5=CTABSEG(\"SRAM\",\"P\") R6=CTABSEG(\"XX\")\n"
-            "CTABDEL(3)\nR7=CTABEXISTS(3) R8=CTABFNO(\"SRAM\")\n"
-            "R9=CTABISLOCK(3)\nM30\n"),
-        {{"R1", "1"},
-         {"R2", "0"},
-         {"R3", "99"},
-         {"R4", "4"},
-         {"R5", "0"},
-         {"R6", "-1"},
-         {"R7", "0"},
-         {"R8", "100"},
-         {"R9", "-1"}});
+    expect(run(kTable + "CTABLOCK(3)\nR1=CTABISLOCK(3)\nCTABUNLOCK(3)\n"
+                        "R2=CTABISLOCK(3)\nR3=CTABFNO(\"SRAM\") R4=CTABSEG(\"SRAM\",\"L\") "
+                        "R5=CTABSEG(\"SRAM\",\"P\") R6=CTABSEG(\"XX\")\n"
+                        "CTABDEL(3)\nR7=CTABEXISTS(3) R8=CTABFNO(\"SRAM\")\n"
+                        "R9=CTABISLOCK(3)\nM30\n"),
+           {{"R1", "1"},
+            {"R2", "0"},
+            {"R3", "99"},
+            {"R4", "4"},
+            {"R5", "0"},
+            {"R6", "-1"},
+            {"R7", "0"},
+            {"R8", "100"},
+            {"R9", "-1"}});
     EXPECT_GT(run(kTable + "CTABLOCK(3)\nCTABDEL(3)\nM30\n").errors, 0u);
     EXPECT_GT(run(kTable + "CTABLOCK(3)\nCTABDEF(X,Z,3,0)\nM30\n").errors, 0u);
 }

@@ -93,12 +93,13 @@ TEST(SinumerikFacts, AFrameFromThreeMeasuredPoints) {
     Play mill;
     mill.language = "sinumerik";
     mill.sets = {"N0002 A6=1", "N0100 A6=89", "N0103 A6=2"};
-    const Played turned = play(
-        head +
-            "WW1[2,1]=20 WW1[2,2]=0\nMM1[0,0]=SET(5,6,7,5,16,7,-15,6,7)\n"
-            "FF=MEAFRAME(MM1,WW1,QQ)\nR1=FF[X,TR] R2=FF[Y,TR] R3=FF[Z,TR] R4=FF[Z,RT] R5=ROUND(QQ*1000000)\n"
-            "M30\n",
-        mill);
+    const Played turned =
+        play(head +
+                 "WW1[2,1]=20 WW1[2,2]=0\nMM1[0,0]=SET(5,6,7,5,16,7,-15,6,7)\n"
+                 "FF=MEAFRAME(MM1,WW1,QQ)\nR1=FF[X,TR] R2=FF[Y,TR] R3=FF[Z,TR] R4=FF[Z,RT] "
+                 "R5=ROUND(QQ*1000000)\n"
+                 "M30\n",
+             mill);
     EXPECT_EQ(turned.errors, 0u) << turned.events;
     for (const auto& [name, value] :
          {std::pair{"R1", "5"}, {"R2", "6"}, {"R3", "7"}, {"R4", "90"}, {"R5", "0"}})
@@ -144,7 +145,8 @@ TEST(SinumerikFacts, AnEdgeIsCalledByItsDNumber) {  // part 1, 6.6; part 3, 7.17
 
 TEST(SinumerikFacts, ToolsOfOneNameAreAGroup) {  // part 3, 7.17, 9.5
     const Played played = play(
-        "DEF INT TN\nR1=TOOLGNT(\"ROUGH\") R2=TOOLGNT(\"rough\") R3=TOOLGT(\"ROUGH\",2) R4=TOOLGT(\"ROUGH\",3)\n"
+        "DEF INT TN\nR1=TOOLGNT(\"ROUGH\") R2=TOOLGNT(\"rough\") R3=TOOLGT(\"ROUGH\",2) "
+        "R4=TOOLGT(\"ROUGH\",3)\n"
         "R5=GETT(\"ROUGH\",2) R6=GETT(\"ROUGH\",3)\n"
         "R7=GETACTT(TN,\"ROUGH\")\nR8=TN\nTCA(\"ROUGH\",2)\n"
         "R9=$P_TOOLNO\nR10=GETACTT(TN,\"ROUGH\")\n"

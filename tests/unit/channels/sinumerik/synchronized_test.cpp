@@ -135,7 +135,8 @@ TEST(SynchronizedActions, DeleteTheRestOfAWay) {
                   how);
     EXPECT_EQ(
         ends_of_moves(played),
-        "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-40 {\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-25 ")
+        "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-40 "
+        "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-25 ")
         << played.events;
     played =
         play(head + "ID=1 WHENEVER $AA_IW[Z]<-10 DO DELDTG\nG1 Z-30\nG1 Z-12\nG1 Z-5\nM30\n", how);

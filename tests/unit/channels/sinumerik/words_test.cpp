@@ -30,7 +30,8 @@ public:
     void move(const Move& m, const BlockContext& at) override {
         ForwardingSink::move(m, at);
         say(fmt::format(
-            "move {} {} {} of {} scale {} limit {} slow {} {} {} sweep {} angle {} out {} {} {} {} {} {} beside {} nose {} {}",
+            "move {} {} {} of {} scale {} limit {} slow {} {} {} sweep {} angle {} out {} {} {} {} "
+            "{} {} beside {} nose {} {}",
             m.exact_stop, m.in_position, m.override_locked, m.spindle, m.feed_scale, m.speed_limit,
             m.slow_head, m.slow_tail, m.slow_share, m.sweep, m.start_angle, m.withdraw_axis[0],
             m.withdraw_axis[1], m.withdraw_axis[2], m.withdraw[0], m.withdraw[1], m.withdraw[2],

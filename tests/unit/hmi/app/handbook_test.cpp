@@ -68,7 +68,8 @@ QStringList skeleton(const QString& markdown) {
 // Parameters, signals and codes stay as they are.
 std::set<QString> namesIn(const QString& markdown) {
     static const QRegularExpression kName(
-        "(?<![\\w#])(?:[A-Z]{2}_[A-Z_]*[A-Z]|[NF][0-9]{4,5}|[GM][0-9]+(?:\\.[0-9])?|#[0-9]{3,5})\\b");
+        "(?<![\\w#])(?:[A-Z]{2}_[A-Z_]*[A-Z]|[NF][0-9]{4,5}|"
+        "[GM][0-9]+(?:\\.[0-9])?|#[0-9]{3,5})\\b");
     std::set<QString> out;
     for (auto found = kName.globalMatch(markdown); found.hasNext();)
         out.insert(found.next().captured());

@@ -246,10 +246,12 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     };
     program(
         "timedatectl",
-        "case \"$1\" in show) echo Timezone=Europe/Prague; echo NTP=yes;; set-time) echo 'Failed to set time: Automatic time synchronization is enabled' >&2; exit 1;; esac");
+        "case \"$1\" in show) echo Timezone=Europe/Prague; echo NTP=yes;; set-time) echo 'Failed "
+        "to set time: Automatic time synchronization is enabled' >&2; exit 1;; esac");
     program(
         "localectl",
-        "echo \"System has not been booted with systemd as init system (PID 1). Can't operate.\" >&2; exit 1");
+        "echo \"System has not been booted with systemd as init system (PID 1). Can't operate.\" "
+        ">&2; exit 1");
     program("xset",
             "if [ \"$1\" = q ]; then echo '  auto repeat delay:  500    repeat rate:  20'; fi");
     const QByteArray display = qgetenv("DISPLAY");

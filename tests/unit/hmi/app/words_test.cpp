@@ -367,9 +367,9 @@ TEST(Retold, TheBuildersMessageIsReadInTheLanguageOfTheScreens) {
     text::BuilderMessages messages;
     ASSERT_TRUE(
         messages
-            .add(
-                "101,oil is hot,масло горячее,olej je horký,az olaj forró,the cooler,Clean it.,холодильник,chladič,hűtő,Очистите.,Vyčistěte.,Tisztítsa.\n",
-                "messages.csv")
+            .add("101,oil is hot,масло горячее,olej je horký,az olaj forró,the cooler,Clean it.,"
+                 "холодильник,chladič,hűtő,Очистите.,Vyčistěte.,Tisztítsa.\n",
+                 "messages.csv")
             .empty());
     const QString logged =
         "message 101 of the machine builder: oil is hot; cause: the cooler. Clean it.";
@@ -380,9 +380,11 @@ TEST(Retold, TheBuildersMessageIsReadInTheLanguageOfTheScreens) {
     EXPECT_EQ(
         retold(
             "PT0811",
-            "note 7 of the machine builder: the door is open; cause: the input PT_IN_DOOR is off. Close the door.")
+            "note 7 of the machine builder: the door is open; cause: the input PT_IN_DOOR is off. "
+            "Close the door.")
             .text,
-        "указание 7 изготовителя станка: дверь открыта; причина: вход PT_IN_DOOR выключен. Закройте дверь.");
+        "указание 7 изготовителя станка: дверь открыта; причина: вход PT_IN_DOOR выключен. "
+        "Закройте дверь.");
     speak(DisplayLanguage::Hungarian);
     EXPECT_EQ(retold("PT0539", logged).text,
               "a gépgyártó 101 üzenete: az olaj forró; ok: hűtő. Tisztítsa.");

@@ -78,7 +78,8 @@ TEST(SetWords, AreThePixelsOfQt) {
 
 TEST(SetWords, AreCutWhereTheRoomEndsAndSaySo) {
     const QString text =
-        "L1  PT0532  the axis X stands at the positive end of its travel: move it away by hand, or with the handwheel, then press Reset";
+        "L1  PT0532  the axis X stands at the positive end of its travel: move it away by hand, or "
+        "with the handwheel, then press Reset";
     const QFont font = lettering(12.5);
     const double line = setWords("Ag", font, 1000, true).height;
     EXPECT_EQ(wordsCutTo(text, font, QSizeF(4000, line)), text);

@@ -116,7 +116,8 @@ constexpr Translation kTranslations[] = {
 TEST(ParameterGenerator, TellsWhichTranslationsDoNotFit) {
     const std::string table =
         std::string(kHeader) +
-        "N0106,Kind,Axis,A,bit,,0,255,0,tick,maker,yes,#0 DIA: 1 diameters; #1 ROT: 1 rotary,Kind of axis.\n";
+        "N0106,Kind,Axis,A,bit,,0,255,0,tick,maker,yes,#0 DIA: 1 diameters; #1 ROT: 1 rotary,Kind "
+        "of axis.\n";
     for (const Translation& one : kTranslations) {
         SCOPED_TRACE(one.row);
         const Outcome run = generate(table, one.row);

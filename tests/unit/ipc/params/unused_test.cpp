@@ -1,7 +1,6 @@
 // `params list --unused` of the machine's own groups (nct_parameters 2 to 14, 24, 25): what the
-// specification itself calls unused, and a
-// reviewed list of pure hardware addresses. A row that stops acting, or a new one that never did,
-// fails here until it is reviewed.
+// specification itself calls unused, and a reviewed list of pure hardware addresses. A row that
+// stops acting, or a new one that never did, fails here until it is reviewed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -44,9 +44,10 @@ TEST(BuilderMessages, ThatWereToldInOneLanguageAreReadInAnother) {
     BuilderMessages messages;
     ASSERT_TRUE(
         messages
-            .add(
-                "101,oil,масло,olej,olaj,,\n102,oil is hot,масло горячее,olej je horký,az olaj forró,the cooler,Clean it.,холодильник,chladič,hűtő,Очистите.,Vyčistěte.,Tisztítsa.\n",
-                "m.csv")
+            .add("101,oil,масло,olej,olaj,,\n102,oil is hot,масло горячее,olej je horký,az olaj "
+                 "forró,the cooler,Clean it.,холодильник,chladič,hűtő,Очистите.,Vyčistěte.,"
+                 "Tisztítsa.\n",
+                 "m.csv")
             .empty());
     const std::string english = "message 102 of the machine builder" + messages.explain(102);
     EXPECT_EQ(messages.told_in(english, MessageLanguage::Russian),

@@ -89,9 +89,10 @@ TEST(Setup, WrittenAndReadAgainItIsTheSame) {
 
 TEST(Setup, WholeTablesMayStandInOneLineWithQuotedKeys) {
     std::vector<Diagnosis> diagnoses;
-    const text::Setup setup = parse_setup(
-        R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, "offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })",
-        "s.toml", diagnoses);
+    const text::Setup setup =
+        parse_setup(R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, )"
+                    R"("offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })",
+                    "s.toml", diagnoses);
     EXPECT_TRUE(diagnoses.empty());
     EXPECT_EQ(setup.channel(1).offsets.at(5).geometry.x, -12.4);
 }

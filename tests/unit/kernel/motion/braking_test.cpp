@@ -16,7 +16,8 @@ class Given final : public Road {
 public:
     explicit Given(const std::vector<Stretch>& stretches, double ends) {
         clear();
-        for (const Stretch& s : stretches) EXPECT_TRUE(begin_stretch(s.begin, s.ceiling, s.limits));
+        for (const Stretch& s : stretches)
+            EXPECT_TRUE(begin_stretch(s.begin, s.speed_limit, s.limits));
         close(ends);
     }
 
@@ -70,13 +71,13 @@ TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
             const PathState moved = braking->follow(k * h, h);
             const PathState next{x.s + moved.s, moved.v, moved.a};
             Limits most = {0, 0, 1e9, 1e9, 1e9, 1e9};  // of what the step touches
-            double ceiling = 0;
+            double speed_limit = 0;
             for (std::size_t n = 0; n < stretches.size(); ++n) {
                 if (stretches[n].begin > next.s ||
                     (n + 1 < stretches.size() && stretches[n + 1].begin < x.s))
                     continue;
                 most.widen(stretches[n].limits);
-                ceiling = std::max(ceiling, stretches[n].ceiling);
+                speed_limit = std::max(speed_limit, stretches[n].speed_limit);
             }
             const double j = (next.a - x.a) / h, u = (next.v + x.v) / 2, a = (next.a + x.a) / 2,
                          u3 = u * u * u;
@@ -85,7 +86,7 @@ TEST(Braking, StandsAtItsEndAndKeepsTheLimitsOnTheWay) {
                                  most.turning * u * std::abs(a) + most.across * u3),
                       1.01 * most.j)
                 << k;
-            ASSERT_LE(next.v, ceiling * 1.001);
+            ASSERT_LE(next.v, speed_limit * 1.001);
             x = next;
         }
         ASSERT_NEAR(x.v, 0, 1e-6 * v);
@@ -145,9 +146,9 @@ TEST(Braking, KnowsWhatItMayNot) {
     EXPECT_FALSE(braking->possible());
     Given slow({{0, 100, limits}, {1, 60, limits}}, 1e9);
     braking->along(slow, {0, 100, 0});
-    EXPECT_FALSE(braking->possible()) << "above the ceiling of the second stretch";
+    EXPECT_FALSE(braking->possible()) << "above the speed limit of the second stretch";
     braking->along(slow, {0, 100, 0}, false);
-    EXPECT_TRUE(braking->possible()) << "ceilings do not count";
+    EXPECT_TRUE(braking->possible()) << "speed limits do not count";
     Given soft({{0, 100, limits}, {1, 100, {300, 50'000}}}, 1e9);
     braking->along(soft, {0, 100, -1900});
     EXPECT_FALSE(braking->possible()) << "cannot release so much in 1 mm";

@@ -141,8 +141,8 @@ private:
     }
 };
 
-// A record that bends: what speed takes of its limits, and the ceiling that leaves some of them, as
-// the channel makes it.
+// A record that bends: what speed takes of its limits, and the speed limit that leaves some of
+// them, as the channel makes it.
 inline void bend_record(PlannedRecord& r, double curvature, double change) {
     r.bend = curvature;
     r.turning = 3 * curvature;

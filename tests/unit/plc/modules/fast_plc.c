@@ -1,5 +1,6 @@
-/* A PLC with a fast task: SP_OSW S2 is digital input 3 while A1 rests, PLC_NOTE counts the runs of the task; output 0 tells
- * how often it ran before the cycle of the same tick (odd or even), output 1 that what does not exist was refused. */
+/* A PLC with a fast task: SP_OSW S2 is digital input 3 while A1 rests, PLC_NOTE counts the runs of
+ * the task; output 0 tells how often it ran before the cycle of the same tick (odd or even), output
+ * 1 that what does not exist was refused. */
 #include "plc_api.h"
 
 typedef struct {
@@ -25,7 +26,9 @@ static int init_fast(void* memory, const PolyturnPlcInt0Host* host, const char**
     s->axis_at = host->read_signal("AN_MOVE", 1);
     s->osw_at = host->write_signal("SP_OSW", 2);
     s->count_at = host->write_signal("PLC_NOTE", 1);
-    s->refused = host->read_input(100000) < 0 && host->read_signal("NO_SUCH", 1) < 0 && host->write_signal("AN_MOVE", 1) < 0 && host->write_signal("SP_OSW", 2) == s->osw_at;
+    s->refused = host->read_input(100000) < 0 && host->read_signal("NO_SUCH", 1) < 0 &&
+                 host->write_signal("AN_MOVE", 1) < 0 &&
+                 host->write_signal("SP_OSW", 2) == s->osw_at;
     if (s->switch_at >= 0 && s->axis_at >= 0 && s->osw_at >= 0 && s->count_at >= 0) return 0;
     *why = "a signal is missing";
     return 1;

@@ -1,4 +1,5 @@
-/* A PLC with the faults that a PLC can have; FAULT says which. It behaves for a hundred cycles (a second), then shows it. */
+/* A PLC with the faults that a PLC can have; FAULT says which. It behaves for a hundred cycles (a
+ * second), then shows it. */
 #include "plc_api.h"
 
 static int init(void* state, const PolyturnPlcHost* host, const char** why) {

@@ -1,6 +1,7 @@
 /* A PLC that keeps: `starts` by polyturn_plc_retained(), two memory blocks by itself.
  *   outputs 0 .. : as many as it was started        16 ..: as many as memory block 7 counts
- *   output 30: block 7 was read in the first cycle  31: and block 8 as well   32: a read was refused as a timeout */
+ *   output 30: block 7 was read in the first cycle  31: and block 8 as well
+ *   output 32: a read was refused as a timeout */
 #include "plc_api.h"
 
 typedef struct {
@@ -19,7 +20,8 @@ static int init(void* memory, const PolyturnPlcHost* host, const char** why) {
     return 0;
 }
 
-static void look(State* s, PolyturnPlcOutputs* out, uint32_t block, uint32_t* count, int* have, int first_output) {
+static void look(State* s, PolyturnPlcOutputs* out, uint32_t block, uint32_t* count, int* have,
+                 int first_output) {
     if (*have) return;
     const int got = s->read(block, count, sizeof *count);
     if (got == POLYTURN_PLC_MEMORY_TIMEOUT) out->output[32] = 1;

@@ -310,7 +310,8 @@ TEST(ComparePage, LongLinesGoOnBelowThemselves) {
     EXPECT_EQ(ComparePage::pieces("N10 G0 X1", 20), QStringList{"N10 G0 X1"});
     EXPECT_EQ(ComparePage::pieces("", 20), QStringList{""});
     const QString text =
-        "N10 CYCLE95(\"CONTOUR\",2.5,0.1,0.2,0,0.25,0.1,0.15,9,0,0,1) ; roughing of the outer contour, twice";
+        "N10 CYCLE95(\"CONTOUR\",2.5,0.1,0.2,0,0.25,0.1,0.15,9,0,0,1) ; roughing of the outer "
+        "contour, twice";
     for (const int letters : {10, 23, 40}) {
         const QStringList pieces = ComparePage::pieces(text, letters);
         EXPECT_EQ(pieces.join(""), text);

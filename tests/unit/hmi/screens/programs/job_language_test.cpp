@@ -18,7 +18,8 @@ protected:
         if (HasFatalFailure()) return;
         write(
             "markers.job.toml",
-            "name = \"markers\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n"
+            "name = \"markers\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" "
+            "}\n"
             "2 = { file = \"SECOND.MPF\", language = \"sinumerik\" }\n"
             "[zeros]\n1 = { G54 = { Z = -150.0 } }\n");
         write("FIRST.MPF", "N10 G90 G95\nN20 WAITM(3,1,2)\nN30 M30\n");

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "toolmgmt/promise/store_files.hpp"
+#include "toolmgmt/durability/store_files.hpp"
 
 namespace polyturn::toolmgmt {
 

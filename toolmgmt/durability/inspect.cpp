@@ -1,4 +1,4 @@
-#include "toolmgmt/promise/inspect.hpp"
+#include "toolmgmt/durability/inspect.hpp"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@ Inspection inspect(const std::string& folder, const std::string& file) {
     Inspection out;
     WitnessFile witness(folder);
     out.witness = witness.read();
-    out.promised = witness.now();
+    out.acknowledged = witness.now();
     out.sums_state = out.sums.read(folder);
     std::string main;
     const bool readable = read_whole_file(file, main);
@@ -37,7 +37,7 @@ Inspection inspect(const std::string& folder, const std::string& file) {
                 (out.sums_state == PageSums::State::Missing ? " is missing" : " is damaged"));
         return out;
     }
-    if (out.witness == WitnessFile::State::Good && out.sums.store != out.promised.store) {
+    if (out.witness == WitnessFile::State::Good && out.sums.store != out.acknowledged.store) {
         say(Alarm::StoreLost, std::string(PageSums::kName) + " belongs to another store");
         return out;
     }

@@ -1,4 +1,4 @@
-#include "toolmgmt/promise/witness.hpp"
+#include "toolmgmt/durability/witness.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

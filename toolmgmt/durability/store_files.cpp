@@ -1,4 +1,4 @@
-#include "toolmgmt/promise/store_files.hpp"
+#include "toolmgmt/durability/store_files.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,10 +1,10 @@
-#include "toolmgmt/promise/page_sums.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
 
 #include <unistd.h>
 
 #include <cstring>
 
-#include "toolmgmt/promise/store_files.hpp"
+#include "toolmgmt/durability/store_files.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {

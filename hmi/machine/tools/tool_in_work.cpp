@@ -1,4 +1,4 @@
-#include "hmi/machine/tools/tool_at_work.hpp"
+#include "hmi/machine/tools/tool_in_work.hpp"
 
 #include <cstring>
 

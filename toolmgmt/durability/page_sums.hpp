@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "toolmgmt/promise/log_pages.hpp"
+#include "toolmgmt/durability/log_pages.hpp"
 
 namespace polyturn::toolmgmt {
 

@@ -1,4 +1,4 @@
-#include "channels/path/ceilings.hpp"
+#include "channels/path/record_limits.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 1e-12;                   // an axis' share below this does not move
 constexpr double kFastest = 1e6, kHardest = 1e9;  // where no axis limits: keeps arithmetic finite
-// Places of an arc that are looked at: so many and so many a radian, at the most ... (every 0.1 rad
+// Points of an arc that are sampled: so many and so many a radian, at the most ... (every 0.1 rad
 // its tangent has turned by 6 degrees, what lies between is in kSampling), and its quarters.
 constexpr std::size_t kArcSamples = 4, kMostArcSamples = 64;
 constexpr double kArcSamplesPerRad = 10;
@@ -28,14 +28,14 @@ struct Samples {
     std::array<PathDerivatives, kMostSamples> at;
 };
 
-Ceilings finite(Ceilings c) {
+RecordLimits finite(RecordLimits c) {
     c.v = std::min(c.v, kFastest);
     c.a = std::min(c.a, kHardest);
     return c;
 }
 
-Ceilings of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
-    Ceilings c{kInfinity, kInfinity, kInfinity};
+RecordLimits of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
+    RecordLimits c{kInfinity, kInfinity, kInfinity};
     for (std::size_t i = 0; i < r.axis_count; ++i) {
         const double t = std::abs(r.end[i] - r.start[i]) / r.length;
         if (t < kFlat) continue;
@@ -48,10 +48,10 @@ Ceilings of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
     return finite(c);
 }
 
-// At one speed: see ceilings.hpp, threads.
-Ceilings of_thread(const PathRecord& r, const PathLimits& limits, bool rapid,
-                   const Samples& samples) {
-    Ceilings c{kInfinity, kInfinity, kInfinity};
+// At one speed: see record_limits.hpp, threads.
+RecordLimits of_thread(const PathRecord& r, const PathLimits& limits, bool rapid,
+                       const Samples& samples) {
+    RecordLimits c{kInfinity, kInfinity, kInfinity};
     double bend = 0, twist = 0;  // largest of v^-2 and v^-3 seen; roots are taken once
     for (std::size_t n = 0; n < samples.count; ++n)
         for (std::size_t i = 0; i < r.axis_count; ++i) {
@@ -120,9 +120,9 @@ struct Shares {
 
 // `least`: what the bend alone must not lower the speed below (N0310); it may take more than N0400
 // then, never more than N0402 and the jerk.
-Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid,
-                    const Samples& samples, double least = 0) {
-    Ceilings c{kInfinity, kInfinity, kInfinity};
+RecordLimits of_samples(const PathRecord& r, const PathLimits& limits, bool rapid,
+                        const Samples& samples, double least = 0) {
+    RecordLimits c{kInfinity, kInfinity, kInfinity};
     Shares of_a, of_j;
     for (std::size_t n = 0; n < samples.count; ++n) {
         const PathDerivatives& at = samples.at[n];
@@ -187,15 +187,15 @@ void sample_arc(const PathRecord& r, Samples& samples) {
 
 }  // namespace
 
-Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
+RecordLimits record_limits_of(const PathRecord& r, const PathLimits& limits) {
     const bool rapid = (r.flags & kRapid) != 0, thread = (r.flags & kThread) != 0;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Line) return of_line(r, limits, rapid);
     Samples samples;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Arc) {
         sample_arc(r, samples);
-        Ceilings c = thread
-                         ? of_thread(r, limits, rapid, samples)
-                         : of_samples(r, limits, rapid, samples, rapid ? 0.0 : limits.arc_feed_min);
+        RecordLimits c =
+            thread ? of_thread(r, limits, rapid, samples)
+                   : of_samples(r, limits, rapid, samples, rapid ? 0.0 : limits.arc_feed_min);
         // N0310: sqrt(a r) of the softest axis, but never below Circ F Min (nct_parameters_part1
         // 5.4).
         double softest = kInfinity;
@@ -211,8 +211,8 @@ Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
     return thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples);
 }
 
-bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const PathLimits& drives,
-                     Ceilings& c) {
+bool record_limits_behind(const PathRecord& r, const Kinematics& kinematics,
+                          const PathLimits& drives, RecordLimits& c) {
     Samples samples;
     for (std::size_t n = 0; n <= kTransformedSteps; ++n)
         if (!drive_derivatives_at(r, &kinematics,
@@ -224,7 +224,7 @@ bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const Pa
     return c.v > 0 && c.a > 0 && c.j > 0;
 }
 
-void store(const Ceilings& c, PathRecord& r) {
+void store(const RecordLimits& c, PathRecord& r) {
     r.v_max = c.v;
     r.a_max = c.a;
     r.j_max = c.j;
@@ -235,7 +235,7 @@ void store(const Ceilings& c, PathRecord& r) {
 }
 
 void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits,
-                          Ceilings& c) {
+                          RecordLimits& c) {
     if (!limits.corner_by_axis_step && limits.corner_feed > 0 && angle > limits.corner_angle)
         c.v = std::min(c.v, limits.corner_feed);
     for (std::size_t i = 0; i < sides.count; ++i) {
@@ -254,7 +254,7 @@ void apply_junction_rules(const JunctionSides& sides, double angle, const PathLi
     }
 }
 
-void apply_turn_rules(const PathRecord& r, double turn, const PathLimits& limits, Ceilings& c) {
+void apply_turn_rules(const PathRecord& r, double turn, const PathLimits& limits, RecordLimits& c) {
     if (!(turn > kFlat)) return;
     if (!limits.corner_by_axis_step && limits.corner_feed > 0 && turn > limits.corner_angle)
         c.v = std::min(c.v, limits.corner_feed);

@@ -7,15 +7,15 @@
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "toolmgmt/promise/page_sums.hpp"
-#include "toolmgmt/promise/witness.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
+#include "toolmgmt/durability/witness.hpp"
 
 namespace polyturn::toolmgmt {
 
 struct Inspection {
     WitnessFile::State witness = WitnessFile::State::Missing;
     PageSums::State sums_state = PageSums::State::Missing;
-    Witness promised;                 // with Good
+    Witness acknowledged;             // with Good
     PageSums sums;                    // with Good
     std::uint32_t version = 0;        // of the schema, as the main file says; 0: none
     std::optional<Diagnosis> damage;  // the main file must not be worked on

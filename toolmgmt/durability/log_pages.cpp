@@ -1,10 +1,10 @@
-#include "toolmgmt/promise/log_pages.hpp"
+#include "toolmgmt/durability/log_pages.hpp"
 
 #include <cstddef>
 #include <string_view>
 
-#include "toolmgmt/promise/page_sums.hpp"
-#include "toolmgmt/promise/store_files.hpp"
+#include "toolmgmt/durability/page_sums.hpp"
+#include "toolmgmt/durability/store_files.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {

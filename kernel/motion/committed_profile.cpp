@@ -4,7 +4,7 @@
 //
 //   v |      push     .----.  braking, perhaps by way of
 //     |          . - '      \   a slower stretch
-//     |     . - '            '------.        promise_time_ counts from the end of the push
+//     |     . - '            '------.        committed_time_ counts from the end of the push
 //     +---'--------------------------'---> t
 #include <cmath>
 
@@ -14,42 +14,42 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kFast = 1e6;             // mm/s: as hard as can be
 constexpr std::uint32_t kMaxTimeout = 4;  // ticks
-// ticks before standstill: every one is looked at, for the landing
+// ticks before standstill: each one is checked, for the landing
 constexpr double kNearEnd = 8;
 constexpr double kEntering = 2e-3;  // as in braking.cpp
 }  // namespace
 
-void PathPlanner::forget_promise() noexcept {
-    promise_time_ = -1;
+void PathPlanner::drop_committed() noexcept {
+    committed_time_ = -1;
     pushed_ = push_end_ = timeout_ = failures_ = 0;
     stride_ = 1;
-    promise_aims_ = other_wanted_ = false;
-    promise_end_ = kNone;
+    committed_aims_ = other_wanted_ = false;
+    committed_end_ = kNone;
 }
 
 // tried_ is found safe.
-void PathPlanner::promise(Ceilings which) noexcept {
-    std::swap(promise_, tried_);
-    promise_time_ = 0;
-    promise_wanted_ = which == Ceilings::Wanted;
-    promise_aims_ = promise_.aims();
-    promise_end_ = view_.closed() ? view_.end_record : kNone;
+void PathPlanner::commit(SpeedLimits which) noexcept {
+    std::swap(committed_, tried_);
+    committed_time_ = 0;
+    committed_wanted_ = which == SpeedLimits::Wanted;
+    committed_aims_ = committed_.aims();
+    committed_end_ = view_.closed() ? view_.end_record : kNone;
     pushed_ = push_end_ = 0;
 }
 
-PathState PathPlanner::keep_promise() noexcept {
+PathState PathPlanner::follow_committed() noexcept {
     if (pushed_ < push_end_) return push_[pushed_++];
-    const PathState next = promise_.follow(promise_time_, dt_);
-    promise_time_ += dt_;
+    const PathState next = committed_.follow(committed_time_, dt_);
+    committed_time_ += dt_;
     return next;
 }
 
 // Nothing to gain from another thought in this tick?
 bool PathPlanner::follows_blindly() const noexcept {
-    if (promise_time_ < 0 || other_wanted_ || landing_end_ != kNone) return false;
+    if (committed_time_ < 0 || other_wanted_ || landing_end_ != kNone) return false;
     if (pushed_ < push_end_) return true;
     return timeout_ > 0 && !at_rest() &&
-           (promise_aims_ || promise_end_ == kNone || stops_at_end(promise_end_));
+           (committed_aims_ || committed_end_ == kNone || stops_at_end(committed_end_));
 }
 
 // No better step than the committed one was found, or hardly a better one: the next is looked for
@@ -59,20 +59,20 @@ void PathPlanner::keep_braking_profile() noexcept {
     ++failures_;
     stride_ = 1;
     // But before its end: where it comes to the speed of the slower stretch, or lands.
-    const double left = promise_aims_ ? promise_.aim_time() - promise_time_
-                                      : promise_.duration() - promise_time_ - kNearEnd * dt_;
+    const double left = committed_aims_ ? committed_.aim_time() - committed_time_
+                                        : committed_.duration() - committed_time_ - kNearEnd * dt_;
     timeout_ =
         std::min(timeout_, left > 0 ? static_cast<std::uint32_t>(std::min(left / dt_, 100.0)) : 0u);
 }
 
 // The wanted speed has changed while the committed profile would accelerate first or pass a slower
 // stretch: brake from here instead. False: that cannot be committed.
-bool PathPlanner::promise_braking(const PathInput& input) noexcept {
-    view_.begin(*this, Ceilings::Hard, input);
+bool PathPlanner::commit_braking(const PathInput& input) noexcept {
+    view_.begin(*this, SpeedLimits::Hard, input);
     tried_.along(view_, {0, state_.v, state_.a});
     pieces_ += tried_.pieces();
     if (!tried_.possible()) return false;
-    promise(Ceilings::Hard);
+    commit(SpeedLimits::Hard);
     return true;
 }
 
@@ -82,17 +82,18 @@ bool PathPlanner::push(View& view) noexcept {
     if (ticks < 2) return false;
     std::array<PathState, kPush>& steps = push_;  // pushed_ == push_end_: it is not followed
     const Limits tick = view.tick;
-    const double ceiling = view.ceiling;
+    const double speed_limit = view.speed_limit;
     PathState x{0, state_.v, state_.a};
     std::uint32_t count = 0;
     for (; count < ticks; ++count) {
         if (!view.around(x)) break;
-        const double goal = view.rises(x) ? kFast : view.ceiling;
-        if (x.v > view.ceiling * (1 + 1e-7)) break;
+        const double goal = view.rises(x) ? kFast : view.speed_limit;
+        if (x.v > view.speed_limit * (1 + 1e-7)) break;
         if (x.a < 0 && release_speed(x.v, x.a, view.tick.j) < -1e-9) break;
         const PathState y = towards_speed({0, x.v, x.a}, goal, view.tick.a, view.tick.j, dt_);
-        if (y.v < 0 || y.s < 0 || y.v > view.ceiling) break;  // of all that the tick touches
-        if (x.a > 0 && y.a <= 0 && release_speed(x.v, x.a, view.tick.j) > view.ceiling * (1 + 1e-6))
+        if (y.v < 0 || y.s < 0 || y.v > view.speed_limit) break;  // of all that the tick touches
+        if (x.a > 0 && y.a <= 0 &&
+            release_speed(x.v, x.a, view.tick.j) > view.speed_limit * (1 + 1e-6))
             break;
         const PathState end{x.s + y.s, y.v, y.a};
         std::uint32_t there = view.within;
@@ -104,12 +105,12 @@ bool PathPlanner::push(View& view) noexcept {
         steps[count] = y;
         x = end;
     }
-    const bool possible = count >= 2 && comes_to_rest(view, Ceilings::Wanted, x);
+    const bool possible = count >= 2 && comes_to_rest(view, SpeedLimits::Wanted, x);
     view.tick = tick;
-    view.ceiling = ceiling;
+    view.speed_limit = speed_limit;
     view.within = 0;
     if (!possible) return false;
-    promise(Ceilings::Wanted);
+    commit(SpeedLimits::Wanted);
     push_end_ = count;
     return true;
 }

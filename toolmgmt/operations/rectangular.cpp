@@ -1,4 +1,4 @@
-#include "toolmgmt/operations/upright.hpp"
+#include "toolmgmt/operations/rectangular.hpp"
 
 namespace polyturn::toolmgmt {
 
@@ -12,7 +12,8 @@ AngularAxes angular_of(const params::Table& table, const MachineConfig& machine,
                         place(PlaneRole::BasicX), place(PlaneRole::BasicZ), usable);
 }
 
-std::optional<double> upright_position(const Work& work, unsigned channel, const AxisConfig& axis) {
+std::optional<double> rectangular_position(const Work& work, unsigned channel,
+                                           const AxisConfig& axis) {
     const auto own = work.position ? work.position(axis.number) : std::nullopt;
     const AngularAxes axes = angular_of(work.values.parameters, work.machine, channel);
     if (!own || !axes.on || (axis.slot != axes.angular && axis.slot != axes.square)) return own;
@@ -21,8 +22,8 @@ std::optional<double> upright_position(const Work& work, unsigned channel, const
     return slide ? std::optional<double>(axes.z_of(*slide, *own)) : std::nullopt;
 }
 
-double portrait_touch(const Work& work, unsigned channel, const AxisConfig& axis,
-                      const Touch& touch) {
+double rectangular_touch(const Work& work, unsigned channel, const AxisConfig& axis,
+                         const Touch& touch) {
     const AngularAxes axes = angular_of(work.values.parameters, work.machine, channel);
     if (axes.on && axis.slot == axes.angular) return axes.x_of(touch.at);
     if (axes.on && axis.slot == axes.square) return axes.z_of(touch.slide_at, touch.at);

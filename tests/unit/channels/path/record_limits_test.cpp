@@ -1,4 +1,4 @@
-#include "channels/path/ceilings.hpp"
+#include "channels/path/record_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Motion differences(const PathRecord& r, unsigned axis, double s, double v, doubl
             static_cast<double>((p[4] - 2 * p[3] + 2 * p[1] - p[0]) / (2 * h * h * h))};
 }
 
-TEST(Ceilings, NoStateBelowThemTakesAnAxisOverItsLimits) {
+TEST(RecordLimits, NoStateBelowThemTakesAnAxisOverItsLimits) {
     const PathLimits limits = easy_limits();
     std::size_t judged = 0;
     for (std::uint64_t seed = 1; seed <= 80; ++seed) {
@@ -96,7 +96,7 @@ TEST(Ceilings, NoStateBelowThemTakesAnAxisOverItsLimits) {
     EXPECT_GT(judged, 10'000u);
 }
 
-TEST(Ceilings, ARapidLineIsAsFastAsItsSlowestShare) {
+TEST(RecordLimits, ARapidLineIsAsFastAsItsSlowestShare) {
     PathLimits limits = easy_limits();
     limits.axis[1].rapid = 500;
     Collected out;
@@ -107,7 +107,7 @@ TEST(Ceilings, ARapidLineIsAsFastAsItsSlowestShare) {
     EXPECT_NEAR(out.records[0].v_max, std::min(333 / 0.6, 500 / 0.8), 1e-9);
 }
 
-TEST(Ceilings, AnArcUsesMostOfTheAccelerationAndNeverMoreThanTheNormalOne) {
+TEST(RecordLimits, AnArcUsesMostOfTheAccelerationAndNeverMoreThanTheNormalOne) {
     PathLimits limits = easy_limits();
     for (auto& axis : limits.axis) {
         axis.jerk = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ TEST(Ceilings, AnArcUsesMostOfTheAccelerationAndNeverMoreThanTheNormalOne) {
     }
 }
 
-TEST(Ceilings, CornersObeyTheParametersOfTheMachine) {
+TEST(RecordLimits, CornersObeyTheParametersOfTheMachine) {
     struct Row {
         const char* why;
         bool by_axis;
@@ -157,14 +157,14 @@ TEST(Ceilings, CornersObeyTheParametersOfTheMachine) {
         EXPECT_GE(out.records.size(), 4u);
         for (const auto& r : out.records)
             if (kind_of(r) == RecordKind::Curve) {
-                EXPECT_NEAR(r.v_max, row.expected > 0 ? row.expected : ceilings_of(r, limits).v,
-                            1e-9);
+                EXPECT_NEAR(r.v_max,
+                            row.expected > 0 ? row.expected : record_limits_of(r, limits).v, 1e-9);
             }
     }
 }
 
-// What speed does not take of an axis is there for changing it, whatever the ceiling.
-TEST(Ceilings, ASlowBendBrakesNearlyAsALine) {
+// What speed does not take of an axis is there for changing it, whatever the speed limit.
+TEST(RecordLimits, ASlowBendBrakesNearlyAsALine) {
     Collected out;
     const PathLimits limits = easy_limits();
     Program program(out, limits);
@@ -181,7 +181,7 @@ TEST(Ceilings, ASlowBendBrakesNearlyAsALine) {
 }
 
 // Unequal axes: the inequalities are looser than the softest axis alone, and still right.
-TEST(Ceilings, AxesMayDiffer) {
+TEST(RecordLimits, AxesMayDiffer) {
     PathLimits limits = easy_limits();
     limits.axis[1].accel = limits.axis[1].normal = 5000;
     limits.axis[1].jerk = 200'000;
@@ -206,7 +206,7 @@ TEST(Ceilings, AxesMayDiffer) {
 
 // nct_parameters_part1 5.4: F = min(programmed, max(sqrt(a r), Circ F Min)); 6.2: N0402 counts in
 // any case.
-TEST(Ceilings, TheBendOfAnArcNeverLowersItsSpeedBelowCircFMin) {
+TEST(RecordLimits, TheBendOfAnArcNeverLowersItsSpeedBelowCircFMin) {
     const auto arc = [](double least, double normal) {
         PathLimits limits = easy_limits();
         for (auto& axis : limits.axis) {
@@ -229,7 +229,7 @@ TEST(Ceilings, TheBendOfAnArcNeverLowersItsSpeedBelowCircFMin) {
     EXPECT_LT(r.bend * r.v_max * r.v_max, r.a_max);
 }
 
-TEST(Ceilings, AThreadKeepsWhatHoldsAtItsCeiling) {
+TEST(RecordLimits, AThreadKeepsWhatHoldsAtItsSpeed) {
     Collected out;
     const PathLimits limits = easy_limits();
     Program program(out, limits);
