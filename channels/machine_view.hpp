@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "channels/sink.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "ipc/params/table.hpp"
 #include "ipc/path/stroke_zones.hpp"
 #include "polyturn/image_structs.hpp"

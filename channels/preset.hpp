@@ -2,7 +2,7 @@
 // check and run mode.
 #pragma once
 #include "channels/language.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/files/setup.hpp"
 
 namespace polyturn::channels {
 

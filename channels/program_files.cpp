@@ -4,7 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 
 namespace polyturn::channels {
 namespace {

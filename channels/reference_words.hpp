@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ipc/text/own_m_codes.hpp"
+#include "ipc/model/languages/own_m_codes.hpp"
 
 namespace polyturn::channels {
 

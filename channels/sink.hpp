@@ -239,7 +239,7 @@ struct OffsetWrite {
 // its edge the parameter DP.
 struct ToolWrite {
     std::int32_t tool = 0;   // data number
-    std::string_view field;  // ipc/machine/store/tool_fields.hpp; empty: `dp` of `edge`
+    std::string_view field;  // ipc/model/machine/store/tool_fields.hpp; empty: `dp` of `edge`
     std::int32_t edge = 0, dp = 0;
     double value = 0.0;
     std::string_view text;  // of a text column

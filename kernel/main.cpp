@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "ipc/machine/bodies/room.hpp"
-#include "ipc/machine/drive_sources.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/bodies/room.hpp"
+#include "ipc/model/machine/drive_sources.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "ipc/memory/life_line.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/tick/attach.hpp"

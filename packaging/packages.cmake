@@ -4,7 +4,7 @@
 #   polyturn-office   a desk: check, virtual runs, the screens; no services, no user of its own
 #
 # All programs stand side by side in /usr/lib/polyturn/bin, because each finds the others beside itself; /usr/bin has links to those that
-# people call. Machines and jobs lie where ipc/text/machine_path.cpp looks for them.
+# people call. Machines and jobs lie where ipc/model/files/machine_path.cpp looks for them.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)   # what is packed has been built; tests need not be
 set(home lib/polyturn)
 set(programs polyturn polyturn-kernel polyturn-channel polyturn-plc polyturn-toolmgmt)

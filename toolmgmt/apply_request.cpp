@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/counters.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/requests/counters.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
 

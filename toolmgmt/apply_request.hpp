@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "toolmgmt/store_values.hpp"
 
 namespace polyturn::toolmgmt {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "ipc/text/read_file.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/read_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 
 namespace polyturn::toolmgmt {
 

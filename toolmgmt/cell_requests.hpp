@@ -9,7 +9,7 @@
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/errors/compensation_cells.hpp"
+#include "ipc/model/compensation/compensation_cells.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::toolmgmt {

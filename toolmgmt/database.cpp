@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 #include "ipc/params/param_file.hpp"
 #include "toolmgmt/database_parts.hpp"
 #include "toolmgmt/schema.hpp"

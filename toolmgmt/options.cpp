@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "ipc/memory/segment.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 
 namespace polyturn::toolmgmt {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 
 namespace polyturn::toolmgmt {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ipc/image/store_changes.hpp"
-#include "ipc/machine/check/config_check.hpp"
+#include "ipc/model/machine/check/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/operations/backup_files.hpp"

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/database.hpp"
 #include "toolmgmt/store_image.hpp"

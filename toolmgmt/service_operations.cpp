@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/check/config_check.hpp"
+#include "ipc/model/machine/check/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/cell_requests.hpp"

@@ -6,14 +6,14 @@
 #include <memory>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/check/config_check.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/machine/store/apply_setup.hpp"
-#include "ipc/machine/store/counters.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/check/config_check.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/machine/store/apply_setup.hpp"
+#include "ipc/requests/counters.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/memory/segment.hpp"
-#include "ipc/text/read_file.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/files/read_file.hpp"
+#include "ipc/model/files/setup.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ipc/machine/store/apply_setup.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/apply_setup.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/registry.hpp"
 

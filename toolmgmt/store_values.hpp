@@ -8,7 +8,7 @@
 #include <string>
 
 #include "ipc/capacities.hpp"
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/requests/store_requests.hpp"
 #include "ipc/params/table.hpp"
 #include "polyturn/image_structs.hpp"
 

@@ -35,7 +35,7 @@ def collect():
             if text:
                 found.setdefault(text, path.relative_to(TOP / "hmi").as_posix())
     # {"name", "text", "remedy"} and {MachineStep::X, "name", "text", "next"}
-    for header, columns in (("ipc/machine/start_words.hpp", (1, 2)), ("ipc/machine/machine_step.hpp", (1, 2))):
+    for header, columns in (("ipc/requests/start_words.hpp", (1, 2)), ("ipc/model/machine/machine_step.hpp", (1, 2))):
         content = re.sub(r"//.*$", "", (TOP / header).read_text(encoding="utf-8"), flags=re.M)
         for row in re.finditer(r"\{((?:\w+::\w+,\s*)?" + LITERAL + r"(?:,\s*" + LITERAL + r")+)\}", content):
             texts = re.findall(LITERAL, row.group(1))
@@ -48,7 +48,7 @@ def collect():
             if text and text != "%":
                 found.setdefault(text, "../ipc/params/parameters.csv")
     # Titles and meanings of the cycles' forms: every literal there that is words.
-    for path in sorted((TOP / "ipc/forms").glob("*_forms.cpp")):
+    for path in sorted((TOP / "ipc/model/languages").glob("*_forms.cpp")):
         content = re.sub(r"^\s*(?://|#include).*$", "", path.read_text(encoding="utf-8"), flags=re.M)
         for text in re.findall(LITERAL, content):
             if re.search(r"[A-Z][a-z]", text):

@@ -15,7 +15,7 @@
 #include "channels/check/round_watch.hpp"
 #include "channels/forwarding_sink.hpp"
 #include "channels/preset.hpp"
-#include "ipc/machine/store/apply_setup.hpp"
+#include "ipc/model/machine/store/apply_setup.hpp"
 #include "ipc/path/stroke_zones.hpp"
 
 namespace polyturn::channels {

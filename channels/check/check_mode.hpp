@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 
 namespace polyturn::channels {
 

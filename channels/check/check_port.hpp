@@ -3,7 +3,7 @@
 #pragma once
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/files/setup.hpp"
 
 namespace polyturn::channels {
 

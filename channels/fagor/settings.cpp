@@ -1,6 +1,6 @@
 #include "channels/fagor/settings.hpp"
 
-#include "ipc/machine/fagor_diameter.hpp"
+#include "ipc/model/languages/fagor_diameter.hpp"
 
 namespace polyturn::channels::fagor {
 

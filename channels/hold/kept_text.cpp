@@ -1,7 +1,7 @@
 #include "channels/hold/kept_text.hpp"
 
-#include "ipc/text/regular_file.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 
 namespace polyturn::channels {
 

@@ -1,7 +1,7 @@
 #include "channels/mefi/settings.hpp"
 
 #include "channels/nct/settings.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::mefi {
 

@@ -16,7 +16,7 @@
 #include "channels/fanuc/grammar/word_values.hpp"
 #include "channels/fanuc/program/faults.hpp"
 #include "channels/fanuc/tools/offset_tables.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::fanuc {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 
 namespace polyturn::channels::nct {
 

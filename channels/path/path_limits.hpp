@@ -4,7 +4,7 @@
 #pragma once
 #include <array>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 
 namespace polyturn::channels {
 

@@ -3,7 +3,7 @@
 #include <ctime>
 
 #include "ipc/image/positioning_step.hpp"
-#include "ipc/machine/named_inputs.hpp"
+#include "ipc/model/machine/named_inputs.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/path/stroke_flags.hpp"
 

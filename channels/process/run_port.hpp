@@ -10,8 +10,8 @@
 #include "channels/port.hpp"
 #include "channels/text/byte_stream.hpp"
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/setup.hpp"
 
 namespace polyturn::channels {
 

@@ -7,7 +7,7 @@
 #include "channels/records/record_place.hpp"
 #include "channels/records/record_sink.hpp"
 #include "ipc/image/compensated_flag.hpp"
-#include "ipc/machine/named_inputs.hpp"
+#include "ipc/model/machine/named_inputs.hpp"
 
 namespace polyturn::channels {
 

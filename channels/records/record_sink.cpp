@@ -10,8 +10,8 @@
 #include "ipc/image/balance.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 #include "ipc/image/program_start.hpp"
-#include "ipc/machine/named_inputs.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/named_inputs.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 
 namespace polyturn::channels {
 namespace {

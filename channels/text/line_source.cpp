@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "ipc/text/regular_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
 
 namespace polyturn::channels {
 namespace {

@@ -7,7 +7,7 @@
 #include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/soft_keys.hpp"
-#include "ipc/machine/machine_step.hpp"
+#include "ipc/model/machine/machine_step.hpp"
 
 namespace polyturn::hmi {
 namespace {

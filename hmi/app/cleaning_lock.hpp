@@ -5,7 +5,7 @@
 #include <QElapsedTimer>
 #include <QKeyEvent>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 
 namespace polyturn::hmi {
 

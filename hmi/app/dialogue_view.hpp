@@ -4,7 +4,7 @@
 // screen puts it away, the line at the top brings it back. The page is named in the image
 // (ChannelSegment::dialogue); an answer is `press answer`.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 

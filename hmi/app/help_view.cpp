@@ -13,7 +13,7 @@
 
 #include "hmi/app/help_language.hpp"
 #include "hmi/widgets/finger_bars.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "hmi/app/help_slices.hpp"
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 
 namespace polyturn::hmi {

@@ -12,7 +12,7 @@
 #include "hmi/widgets/portrait.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
-#include "ipc/machine/machine_step.hpp"
+#include "ipc/model/machine/machine_step.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -19,7 +19,7 @@
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/widgets/soft_keys.hpp"
 #include "hmi/widgets/text_entry.hpp"
-#include "ipc/text/builder_messages.hpp"
+#include "ipc/model/files/builder_messages.hpp"
 
 namespace polyturn::hmi {
 

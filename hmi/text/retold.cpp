@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hmi/text/display_languages.hpp"
-#include "ipc/machine/start_words.hpp"
+#include "ipc/requests/start_words.hpp"
 
 namespace polyturn::hmi {
 

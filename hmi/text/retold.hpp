@@ -4,7 +4,7 @@
 #pragma once
 #include <QString>
 
-#include "ipc/text/builder_messages.hpp"
+#include "ipc/model/files/builder_messages.hpp"
 
 namespace polyturn::hmi {
 

@@ -49,7 +49,7 @@
         <translation>%1 má novou destičku: životnost a opotřebení začínají znovu</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 has values again: they stay</source>
         <translation>%1 má zase hodnoty: zůstanou</translation>
     </message>
@@ -84,7 +84,7 @@
         <translation>%1 se zapisuje: místo odpovídá pomalu</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is deleted</source>
         <translation>%1 je smazán</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>%1 je přihlášen</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is new</source>
         <translation>Nový břit: %1</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>%1 je vyjmut</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is there again</source>
         <translation>%1 je zase zde</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>Úhel na začátku k +Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle between two holes; 0: evenly spread</source>
         <translation>Úhel mezi děrami; 0: rovnoměrně</translation>
     </message>
@@ -499,27 +499,27 @@
         <translation>Úhel oblouku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the first hole to the 1st axis</source>
         <translation>Úhel první díry k 1. ose</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Úhel přísuvu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the line to the 1st axis</source>
         <translation>Úhel přímky k 1. ose</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the spindle at the start</source>
         <translation>Úhel vřetena na začátku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Angle of the tool tip</source>
         <translation>Úhel špičky nástroje</translation>
     </message>
@@ -619,12 +619,12 @@
         <translation>Zálohy</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, clockwise</source>
         <translation>Soudkový závit po oblouku, po směru hodin</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Soudkový závit po oblouku, proti směru hodin</translation>
     </message>
@@ -639,7 +639,7 @@
         <translation>Báze R</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Base lengths</source>
         <translation>Základní délky</translation>
     </message>
@@ -669,62 +669,62 @@
         <translation>Bloky se zadávají v MDI nebo při zastaveném programu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring</source>
         <translation>Vyvrtávání</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the face</source>
         <translation>Vyvrtávání na čele</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the side</source>
         <translation>Vyvrtávání z boku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring with a dwell</source>
         <translation>Vyvrtávání s prodlevou</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring, back with the spindle stopped</source>
         <translation>Vyvrtávání, návrat se stojícím vřetenem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom X</source>
         <translation>Dno X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom Z</source>
         <translation>Dno Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole X</source>
         <translation>Dno díry X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole X, or the end of the way back</source>
         <translation>Dno díry X, nebo konec zpětné dráhy</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Dno díry Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole Z, or the end of the way back</source>
         <translation>Dno díry Z, nebo konec zpětné dráhy</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole, where no depth is told</source>
         <translation>Dno díry, není-li zadána hloubka</translation>
     </message>
@@ -784,22 +784,22 @@
         <translation>Střed Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point X (radius)</source>
         <translation>Střed od počátku X (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Střed od počátku Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 1st axis (X: radius)</source>
         <translation>Střed kružnice, 1. osa (X: poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 2nd axis (X: radius)</source>
         <translation>Střed kružnice, 2. osa (X: poloměr)</translation>
     </message>
@@ -819,7 +819,7 @@
         <translation>Změnit</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Změna stoupání na otáčku</translation>
     </message>
@@ -919,7 +919,7 @@
         <translation>Smazat hledání</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Clearance before the next peck</source>
         <translation>Vůle před dalším krokem</translation>
     </message>
@@ -1004,7 +1004,7 @@
         <translation>Kopie, mazání ...</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Průměr jádra na konci</translation>
     </message>
@@ -1099,7 +1099,7 @@
         <translation>Smazat vše</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Delete edge</source>
         <translation>Smazat břit</translation>
     </message>
@@ -1129,52 +1129,52 @@
         <translation>Závisí na</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Depth below the surface, instead of the bottom</source>
         <translation>Hloubka pod povrchem místo dna</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Hloubka kroku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along X (radius)</source>
         <translation>Hloubka kroku v X (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along Z</source>
         <translation>Hloubka kroku v Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of a peck; 0: tapping</source>
         <translation>Hloubka kroku; 0: závitování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of cut</source>
         <translation>Hloubka řezu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut (radius)</source>
         <translation>Hloubka řezu (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut along Z</source>
         <translation>Hloubka řezu v Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the first pass (radius)</source>
         <translation>Hloubka prvního řezu (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the hole</source>
         <translation>Hloubka díry</translation>
     </message>
@@ -1194,7 +1194,7 @@
         <translation>Průměr</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter at the end</source>
         <translation>Průměr na konci</translation>
     </message>
@@ -1204,7 +1204,7 @@
         <translation>Průměr kolíku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Průměr tohoto řezu na konci</translation>
     </message>
@@ -1234,7 +1234,7 @@
         <translation>Provést krok</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling</source>
         <translation>Vrtání</translation>
     </message>
@@ -1244,52 +1244,52 @@
         <translation>Vrtací cykly</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Vrtání a závitování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the face</source>
         <translation>Vrtání na čele</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the side</source>
         <translation>Vrtání z boku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with a dwell</source>
         <translation>Vrtání s prodlevou</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with pecks</source>
         <translation>Vrtání s výplachem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling, breaking chips</source>
         <translation>Vrtání s lámáním třísky</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring (in G17 along Z)</source>
         <translation>Vrtání, navrtávání (v G17 podél Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring behind each block that moves</source>
         <translation>Vrtání, navrtávání za každým blokem s pohybem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring (in G17 along Z)</source>
         <translation>Vrtání, zahlubování (v G17 podél Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring behind each block that moves</source>
         <translation>Vrtání, zahlubování za každým blokem s pohybem</translation>
     </message>
@@ -1314,12 +1314,12 @@
         <translation>Prodleva</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Prodleva na dně</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Dwell at the bottom; negative: revolutions</source>
         <translation>Prodleva na dně; záporná: otáčky</translation>
     </message>
@@ -1364,17 +1364,17 @@
         <translation>Vymazat pole</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End of the thread Z</source>
         <translation>Konec závitu Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back X</source>
         <translation>Konec zpětné dráhy X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back Z</source>
         <translation>Konec zpětné dráhy Z</translation>
     </message>
@@ -1384,12 +1384,12 @@
         <translation>Koncový bod X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point X of the last plunge</source>
         <translation>Koncový bod X posledního zápichu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point X, where the thread is tapered</source>
         <translation>Koncový bod X, je-li závit kuželový</translation>
     </message>
@@ -1399,12 +1399,12 @@
         <translation>Koncový bod Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Koncový bod Z posledního zápichu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point Z, where the thread is tapered</source>
         <translation>Koncový bod Z, je-li závit kuželový</translation>
     </message>
@@ -1479,12 +1479,12 @@
         <translation>Skutečné</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters the relative counter: press again</source>
         <translation>Zapíše počítadlo: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters what was touched: press again</source>
         <translation>Zapíše dotyk: znovu</translation>
     </message>
@@ -1524,22 +1524,22 @@
         <translation>F11 nebo tlačítko nahoře: další</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Čelo Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing a straight section</source>
         <translation>Čelní soustružení přímého úseku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing an arc</source>
         <translation>Čelní soustružení oblouku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Facing, one pass</source>
         <translation>Čelo, jeden řez</translation>
     </message>
@@ -1549,7 +1549,7 @@
         <translation>Násobek</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Činitel kroků; závitování: druh 0, 1, 2</translation>
     </message>
@@ -1624,42 +1624,42 @@
         <translation>Stop posuvu: start pokračuje</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed into hollows</source>
         <translation>Posuv do prohlubní</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of finishing</source>
         <translation>Posuv dokončování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of finishing, where the contour says none</source>
         <translation>Posuv dokončování, není-li v obrysu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of roughing</source>
         <translation>Posuv hrubování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Posuv posledního hrubovacího řezu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way in</source>
         <translation>Posuv při cestě dovnitř</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way out</source>
         <translation>Posuv při cestě ven</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Posuv: stoupání krát otáčky</translation>
     </message>
@@ -1684,27 +1684,27 @@
         <translation>Filtr</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing a contour</source>
         <translation>Dokončení obrysu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance</source>
         <translation>Přídavek na dokončení</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance X</source>
         <translation>Přídavek na dokončení X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance Z</source>
         <translation>Přídavek na dokončení Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing passes</source>
         <translation>Dokončovacích řezů</translation>
     </message>
@@ -1714,7 +1714,7 @@
         <translation>První WINS</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>První blok obrysu</translation>
     </message>
@@ -1774,12 +1774,12 @@
         <translation>Od</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From hole to hole</source>
         <translation>Od díry k díře</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Přechod na posuv (úroveň R)</translation>
     </message>
@@ -1789,7 +1789,7 @@
         <translation>Od začátku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>Od počátku k první díře</translation>
     </message>
@@ -1849,12 +1849,12 @@
         <translation>Největší, nejmenší odchylka</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along X</source>
         <translation>Zapichování v X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along Z</source>
         <translation>Zapichování v Z</translation>
     </message>
@@ -1879,7 +1879,7 @@
         <translation>Posun kolečkem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Height of the thread (radius)</source>
         <translation>Výška závitu (poloměr)</translation>
     </message>
@@ -2064,7 +2064,7 @@
         <translation>Údaje si odporují, nebo jim nic nevyhovuje.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Its values go: press again</source>
         <translation>Hodnoty zmizí: znovu</translation>
     </message>
@@ -2124,7 +2124,7 @@
         <translation>Druh</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Kind of infeed</source>
         <translation>Druh přísuvu</translation>
     </message>
@@ -2199,7 +2199,7 @@
         <translation>Poslední</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Last block of the contour</source>
         <translation>Poslední blok obrysu</translation>
     </message>
@@ -2214,37 +2214,37 @@
         <translation>Později</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Stoupání</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along X</source>
         <translation>Stoupání podél X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along Z</source>
         <translation>Stoupání podél Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead as on the way in</source>
         <translation>Stoupání jako při cestě dovnitř</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Stoupání; záporné: levý závit</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a pass</source>
         <translation>Nejmenší hloubka řezu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a peck</source>
         <translation>Nejmenší hloubka kroku</translation>
     </message>
@@ -2254,7 +2254,7 @@
         <translation>Délka</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Length of the run-out</source>
         <translation>Délka výběhu</translation>
     </message>
@@ -2464,7 +2464,7 @@
         <translation>Zásobníky</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Main axis: 0 Z, 1 X</source>
         <translation>Hlavní osa: 0 Z, 1 X</translation>
     </message>
@@ -2604,7 +2604,7 @@
         <translation>Nový rozměr</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>New edge</source>
         <translation>Nový břit</translation>
     </message>
@@ -2844,7 +2844,7 @@
         <translation>Nic se nezměnilo.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Nothing is like this. Escape shows all.</source>
         <translation>Nic takového zde není. Escape ukáže vše.</translation>
     </message>
@@ -2879,7 +2879,7 @@
         <translation>Číslo</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of holes</source>
         <translation>Počet děr</translation>
     </message>
@@ -2894,12 +2894,12 @@
         <translation>Číslo posledního bloku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of passes</source>
         <translation>Počet řezů</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Number of starts</source>
         <translation>Počet chodů</translation>
     </message>
@@ -3184,7 +3184,7 @@
         <translation>Dráhy nástrojů od spuštění obrazovky; špička jako bod</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Pattern menu</source>
         <translation>Nabídka vzorů</translation>
     </message>
@@ -3194,7 +3194,7 @@
         <translation>Pauza</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Přerušované zapichování v Z</translation>
     </message>
@@ -3224,17 +3224,17 @@
         <translation>Místo</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole C</source>
         <translation>Poloha díry C</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Place of the hole X</source>
         <translation>Poloha díry X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Poloha díry Z</translation>
     </message>
@@ -3244,12 +3244,12 @@
         <translation>Místa</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes along a line</source>
         <translation>Polohy děr na přímce</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes on a circle</source>
         <translation>Polohy děr na kružnici</translation>
     </message>
@@ -3324,7 +3324,7 @@
         <translation>Vytištěno: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Probe is offset %1: press again</source>
         <translation>Sonda: korekce %1, znovu</translation>
     </message>
@@ -3364,7 +3364,7 @@
         <translation>Program palety</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>Program s obrysem</translation>
     </message>
@@ -3419,12 +3419,12 @@
         <translation>Rádius</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the arc</source>
         <translation>Poloměr oblouku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the circle of holes</source>
         <translation>Poloměr kružnice děr</translation>
     </message>
@@ -3459,12 +3459,12 @@
         <translation>Připravený</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming (in G17 along Z)</source>
         <translation>Vystružování (v G17 podél Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming behind each block that moves</source>
         <translation>Vystružování za každým blokem s pohybem</translation>
     </message>
@@ -3499,7 +3499,7 @@
         <translation>Reference všech</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Vztažná rovina: povrch</translation>
     </message>
@@ -3509,12 +3509,12 @@
         <translation>Načíst znovu</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative input</source>
         <translation>Relativní vstup</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative zero</source>
         <translation>Relativní nula</translation>
     </message>
@@ -3529,7 +3529,7 @@
         <translation>Uvolnit nástroj</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Relief at the bottom</source>
         <translation>Odskok na dně</translation>
     </message>
@@ -3554,12 +3554,12 @@
         <translation>Přejmenováno</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Oprava: kde byl závit změřen</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Opakování obrysu</translation>
     </message>
@@ -3639,12 +3639,12 @@
         <translation>Zpětný chod je na konci</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Retract after each pass</source>
         <translation>Odjezd po každém řezu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Retract plane</source>
         <translation>Rovina návratu</translation>
     </message>
@@ -3654,32 +3654,32 @@
         <translation>Návrat %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Synchronní závitování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face</source>
         <translation>Synchronní závitování na čele</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face, the way back</source>
         <translation>Synchronní závitování na čele, cesta zpět</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side</source>
         <translation>Synchronní závitování z boku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side, the way back</source>
         <translation>Synchronní závitování z boku, cesta zpět</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping of a left-hand thread</source>
         <translation>Synchronní závitování, levý závit</translation>
     </message>
@@ -3704,12 +3704,12 @@
         <translation>Prostor vpravo, půlmísta</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along X</source>
         <translation>Hrubování podél X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along Z</source>
         <translation>Hrubování podél Z</translation>
     </message>
@@ -3719,17 +3719,17 @@
         <translation>Zaoblení k dalšímu</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-in; -1: as the axis accelerates</source>
         <translation>Náběh; -1: jak osa zrychlí</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Výběh v desetinách stoupání</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-out; -1: as the axis brakes</source>
         <translation>Výběh; -1: jak osa zabrzdí</translation>
     </message>
@@ -3739,22 +3739,22 @@
         <translation>Běží</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Runs in and out within the thread: 1</source>
         <translation>Náběh a výběh uvnitř závitu: 1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Bezpečná vzdálenost</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Safety distance before the surface</source>
         <translation>Bezpečná vzdálenost před povrchem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance of the way back</source>
         <translation>Bezpečná vzdálenost návratu</translation>
     </message>
@@ -3834,7 +3834,7 @@
         <translation>Nastaví výchozí: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nastaví nulu: znovu</translation>
     </message>
@@ -3974,7 +3974,7 @@
         <translation>Otáčky nedosaženy</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Otáčky vřetena</translation>
     </message>
@@ -4049,12 +4049,12 @@
         <translation>Start skupiny %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 1st axis (X: radius)</source>
         <translation>Počátek přímky, 1. osa (X: poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 2nd axis (X: radius)</source>
         <translation>Počátek přímky, 2. osa (X: poloměr)</translation>
     </message>
@@ -4094,17 +4094,17 @@
         <translation>Stanice</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along X (radius)</source>
         <translation>Krok v X (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along Z</source>
         <translation>Krok v Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Step between two plunges</source>
         <translation>Krok mezi zápichy</translation>
     </message>
@@ -4114,17 +4114,17 @@
         <translation>Polotovar</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Stock to take off</source>
         <translation>Odebíraný přídavek</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along X (radius)</source>
         <translation>Odebíraný přídavek v X (poloměr)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along Z</source>
         <translation>Odebíraný přídavek v Z</translation>
     </message>
@@ -4164,7 +4164,7 @@
         <translation>Maska podsítě</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Surface Z</source>
         <translation>Povrch Z</translation>
     </message>
@@ -4224,42 +4224,42 @@
         <translation>Tečně k čemu? Nic před ním není.</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (Z at the start less that at the end)</source>
         <translation>Kužel (Z na začátku minus na konci)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (radius at the start less that at the end)</source>
         <translation>Kužel (poloměr na začátku minus na konci)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping</source>
         <translation>Závitování</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping a left-hand thread</source>
         <translation>Závitování, levý závit</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the face</source>
         <translation>Závitování na čele</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the face with a compensating chuck</source>
         <translation>Závitování na čele s vyrovnávacím pouzdrem</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Závitování z boku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the side with a compensating chuck</source>
         <translation>Závitování z boku s vyrovnávacím pouzdrem</translation>
     </message>
@@ -4474,7 +4474,7 @@
         <translation>Programy se čtou</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Relativní počítadlo L%1 začíná zde</translation>
     </message>
@@ -4569,12 +4569,12 @@
         <translation>Jsou velmi odlišné</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no offsets.</source>
         <translation>Tento kanál nemá korekce.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no tools: enter them on the page of tools.</source>
         <translation>Tento kanál nemá nástroje: zadejte je na stránce nástrojů.</translation>
     </message>
@@ -4604,7 +4604,7 @@
         <translation>Složka je prázdná.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>This is here</source>
         <translation>Zde je toto</translation>
     </message>
@@ -4639,47 +4639,47 @@
         <translation>Tento systém nezná WINS: jména dávají servery DNS</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, one pass</source>
         <translation>Závit podél Z, jeden řez</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead grows</source>
         <translation>Závit podél Z, stoupání roste</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead shrinks</source>
         <translation>Závit podél Z, stoupání klesá</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Závit na více řezů</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Závit na čele</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, one pass</source>
         <translation>Závit na čele, jeden řez</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead grows</source>
         <translation>Závit na čele, stoupání roste</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead shrinks</source>
         <translation>Závit na čele, stoupání klesá</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Thread, one pass</source>
         <translation>Závit, jeden řez</translation>
     </message>
@@ -4739,7 +4739,7 @@
         <translation>Špička</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tip is at this measure: press again</source>
         <translation>Špička je na míře: znovu</translation>
     </message>
@@ -4834,7 +4834,7 @@
         <translation>Korekce nástrojů</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tool setter</source>
         <translation>Měření nástroje</translation>
     </message>
@@ -4909,17 +4909,17 @@
         <translation>Soustružnické cykly</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning a straight section</source>
         <translation>Soustružení přímého úseku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning an arc</source>
         <translation>Soustružení oblouku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Turning, one pass</source>
         <translation>Soustružení, jeden řez</translation>
     </message>
@@ -5089,12 +5089,12 @@
         <translation>Požadováno</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Návrat po každém kroku</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Way back or clearance of a peck</source>
         <translation>Návrat nebo vůle kroku</translation>
     </message>
@@ -5179,7 +5179,7 @@
         <translation>Bez zobrazovacího serveru rozhoduje klávesnice</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Without a probe offset: press again</source>
         <translation>Bez korekce sondy: znovu</translation>
     </message>
@@ -5189,7 +5189,7 @@
         <translation>Bez účinku:</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Without tool management (N2900) programs bring their own tools and edges.</source>
         <translation>Bez správy nástrojů (N2900) zadává nástroje a břity program.</translation>
     </message>
@@ -5229,7 +5229,7 @@
         <translation>Obrobek</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Workpiece setter</source>
         <translation>Měření obrobku</translation>
     </message>
@@ -5284,7 +5284,7 @@
         <translation>Nulový bod</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Zero here</source>
         <translation>Nula zde</translation>
     </message>
@@ -5319,17 +5319,17 @@
         <translation>všechny parametry</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>alarm vše zastavil</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>trvá alarm kanálu</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an axis is being moved by hand</source>
         <translation>osou se ručně pohybuje</translation>
     </message>
@@ -5349,17 +5349,17 @@
         <translation>rameno S%1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>připojte ji (AP_DETCHR)</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>axes are on their way to their reference points</source>
         <translation>osy jedou do referenčních bodů</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>axes were moved in the hold</source>
         <translation>s osami se při stopu posuvu pohnulo</translation>
     </message>
@@ -5384,12 +5384,12 @@
         <translation>otvor</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring a tool into place</source>
         <translation>nastavte nástroj</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring it to its end</source>
         <translation>dojeďte jím na konec</translation>
     </message>
@@ -5409,7 +5409,7 @@
         <translation>kód znaku</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>zvolte automatiku nebo MDI</translation>
     </message>
@@ -5424,12 +5424,12 @@
         <translation>sklíčidlo otevřené</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, look at its pressure</source>
         <translation>zavřete je, ověřte tlak</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, or switch to setup mode</source>
         <translation>zavřete je nebo zapněte seřizování</translation>
     </message>
@@ -5499,7 +5499,7 @@
         <translation>°/s²</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>detached</source>
         <translation>odpojena</translation>
     </message>
@@ -5519,7 +5519,7 @@
         <translation>prázdné</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>enter one, or choose auto</source>
         <translation>zadejte jej, nebo zvolte automatiku</translation>
     </message>
@@ -5534,7 +5534,7 @@
         <translation>skutečné: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>everything was stopped by an alarm</source>
         <translation>vše zastavil alarm</translation>
     </message>
@@ -5554,7 +5554,7 @@
         <translation>souborů: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>doplňte olej</translation>
     </message>
@@ -5674,7 +5674,7 @@
         <translation>řádek %1, sloupec %2</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>load a new one</source>
         <translation>vložte novou</translation>
     </message>
@@ -5794,7 +5794,7 @@
         <translation>ne</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no block is entered</source>
         <translation>není zadán žádný blok</translation>
     </message>
@@ -5809,7 +5809,7 @@
         <translation>bez programu</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>není zvolen žádný program</translation>
     </message>
@@ -5819,7 +5819,7 @@
         <translation>bez ref.</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no tool is in place, the turret is not locked</source>
         <translation>nástroj není na místě, hlava není zajištěna</translation>
     </message>
@@ -5839,12 +5839,12 @@
         <translation>ještě ne číslo</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>osy nemají referenci</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>not all channels of the restart are at their blocks</source>
         <translation>ne všechny kanály startu od bloku jsou u svých bloků</translation>
     </message>
@@ -5979,22 +5979,22 @@
         <translation>míst</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press machine on</source>
         <translation>zapněte stroj</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press reference all</source>
         <translation>stiskněte reference všech</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press reset</source>
         <translation>stiskněte reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press return</source>
         <translation>stiskněte návrat</translation>
     </message>
@@ -6034,27 +6034,27 @@
         <translation>záznamů</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>reference it</source>
         <translation>najeďte referenci</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>release it and switch the machine on</source>
         <translation>uvolněte jej a zapněte stroj</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>odstraňte příčinu a reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>remove its cause, then press reset</source>
         <translation>odstraňte příčinu, pak reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>restore a backup, or let a maker confirm what is left</source>
         <translation>obnovte zálohu, nebo ať výrobce potvrdí, co zbylo</translation>
     </message>
@@ -6094,7 +6094,7 @@
         <translation>s</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>zvolte jej na stránce programů</translation>
     </message>
@@ -6129,7 +6129,7 @@
         <translation>stanic</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>switch it on</source>
         <translation>zapněte jej</translation>
     </message>
@@ -6149,32 +6149,32 @@
         <translation>působí od příštího zastavení předzpracování</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>tyč je spotřebována</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the channel's process is not there</source>
         <translation>proces kanálu neběží</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the chuck does not hold</source>
         <translation>sklíčidlo nedrží</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the door is open</source>
         <translation>dveře jsou otevřené</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the emergency stop is active</source>
         <translation>nouzové zastavení je aktivní</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the lubrication is missing</source>
         <translation>chybí mazání</translation>
     </message>
@@ -6189,22 +6189,22 @@
         <translation>stroj to nemá</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the machine is not switched on</source>
         <translation>stroj není zapnut</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is off</source>
         <translation>stroj je vypnut</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is ready</source>
         <translation>stroj je připraven</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>režim je ruční</translation>
     </message>
@@ -6219,22 +6219,22 @@
         <translation>program netrvá žádný čas</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>reset neskončil</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store has lost data: no production</source>
         <translation>úložiště ztratilo data: bez výroby</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>úložiště neběží: nic by se neuložilo</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>koník není vzadu ani nedrží</translation>
     </message>
@@ -6284,7 +6284,7 @@
         <translation>moment</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>turn the button back, then press machine on</source>
         <translation>uvolněte tlačítko, pak zapněte stroj</translation>
     </message>
@@ -6329,32 +6329,32 @@
         <translation>rychlost</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>počkejte</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait for them; if it was refused, restart again or reset</source>
         <translation>počkejte na ně; byl-li odmítnut, začněte znovu nebo reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it is started again, then reset</source>
         <translation>počkejte na jeho spuštění, pak reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it rests</source>
         <translation>počkejte, až stojí</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it runs again</source>
         <translation>počkejte, až poběží</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>počkejte, až osy stojí</translation>
     </message>

@@ -49,7 +49,7 @@
         <translation>%1: új lapka, az éltartam és a kopás újrakezdődik</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 has values again: they stay</source>
         <translation>%1: ismét vannak értékei, maradnak</translation>
     </message>
@@ -84,7 +84,7 @@
         <translation>%1 írása folyik: a hely lassan válaszol</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is deleted</source>
         <translation>%1 törölve</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>%1 bejelentkezett</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is new</source>
         <translation>Új él: %1</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>%1 ki van véve</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is there again</source>
         <translation>%1 ismét megvan</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>Kezdeti szög a +Z-hez</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle between two holes; 0: evenly spread</source>
         <translation>Szög két furat között; 0: egyenletesen</translation>
     </message>
@@ -499,27 +499,27 @@
         <translation>Az ív szöge</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the first hole to the 1st axis</source>
         <translation>Az első furat szöge az 1. tengelyhez</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Fogásvétel szöge</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the line to the 1st axis</source>
         <translation>A vonal szöge az 1. tengelyhez</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the spindle at the start</source>
         <translation>Főorsó szöge a kezdetnél</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Angle of the tool tip</source>
         <translation>Szerszámcsúcs szöge</translation>
     </message>
@@ -619,12 +619,12 @@
         <translation>Mentések</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, clockwise</source>
         <translation>Hordómenet íven, óramutató szerint</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Hordómenet íven, óramutatóval ellentétesen</translation>
     </message>
@@ -639,7 +639,7 @@
         <translation>Bázis R</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Base lengths</source>
         <translation>Bázishosszak</translation>
     </message>
@@ -669,62 +669,62 @@
         <translation>Mondatot MDI-ben vagy megállított programnál lehet beírni</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring</source>
         <translation>Kiesztergálás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the face</source>
         <translation>Kiesztergálás a homlokon</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the side</source>
         <translation>Kiesztergálás oldalról</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring with a dwell</source>
         <translation>Kiesztergálás várakozással</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring, back with the spindle stopped</source>
         <translation>Kiesztergálás, vissza álló főorsóval</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom X</source>
         <translation>Fenék X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom Z</source>
         <translation>Fenék Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole X</source>
         <translation>Furat alja X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole X, or the end of the way back</source>
         <translation>Furat alja X, vagy a visszaút vége</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Furat alja Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole Z, or the end of the way back</source>
         <translation>Furat alja Z, vagy a visszaút vége</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole, where no depth is told</source>
         <translation>Furat alja, ha nincs mélység megadva</translation>
     </message>
@@ -784,22 +784,22 @@
         <translation>Középpont Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point X (radius)</source>
         <translation>Középpont a kezdettől X (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Középpont a kezdettől Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 1st axis (X: radius)</source>
         <translation>Kör középpontja, 1. tengely (X: sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 2nd axis (X: radius)</source>
         <translation>Kör középpontja, 2. tengely (X: sugár)</translation>
     </message>
@@ -819,7 +819,7 @@
         <translation>Módosítás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Emelkedés változása fordulatonként</translation>
     </message>
@@ -919,7 +919,7 @@
         <translation>Keresés törlése</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Clearance before the next peck</source>
         <translation>Hézag a következő lépés előtt</translation>
     </message>
@@ -1004,7 +1004,7 @@
         <translation>Másolás, törlés...</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Magátmérő a végén</translation>
     </message>
@@ -1099,7 +1099,7 @@
         <translation>Mindent töröl</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Delete edge</source>
         <translation>Él törlése</translation>
     </message>
@@ -1129,52 +1129,52 @@
         <translation>Mitől függ</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Depth below the surface, instead of the bottom</source>
         <translation>Mélység a felület alatt, az alj helyett</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Lépés mélysége</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along X (radius)</source>
         <translation>Lépés mélysége X mentén (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along Z</source>
         <translation>Lépés mélysége Z mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of a peck; 0: tapping</source>
         <translation>Lépés mélysége; 0: menetfúrás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of cut</source>
         <translation>Fogásmélység</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut (radius)</source>
         <translation>Fogásmélység (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut along Z</source>
         <translation>Fogásmélység Z mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the first pass (radius)</source>
         <translation>Első fogás mélysége (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the hole</source>
         <translation>Furat mélysége</translation>
     </message>
@@ -1194,7 +1194,7 @@
         <translation>Átmérő</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter at the end</source>
         <translation>Átmérő a végén</translation>
     </message>
@@ -1204,7 +1204,7 @@
         <translation>Csap átmérője</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>E fogás átmérője a végén</translation>
     </message>
@@ -1234,7 +1234,7 @@
         <translation>Lépés végrehajtása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling</source>
         <translation>Fúrás</translation>
     </message>
@@ -1244,52 +1244,52 @@
         <translation>Fúróciklusok</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Fúrás és menetfúrás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the face</source>
         <translation>Fúrás a homlokon</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the side</source>
         <translation>Fúrás oldalról</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with a dwell</source>
         <translation>Fúrás várakozással</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with pecks</source>
         <translation>Fúrás lépésekben</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling, breaking chips</source>
         <translation>Fúrás forgácstöréssel</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring (in G17 along Z)</source>
         <translation>Fúrás, központfúrás (G17-ben Z mentén)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring behind each block that moves</source>
         <translation>Fúrás, központfúrás minden mozgó mondat után</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring (in G17 along Z)</source>
         <translation>Fúrás, süllyesztés (G17-ben Z mentén)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring behind each block that moves</source>
         <translation>Fúrás, süllyesztés minden mozgó mondat után</translation>
     </message>
@@ -1314,12 +1314,12 @@
         <translation>Kivárás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Várakozás az alján</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Dwell at the bottom; negative: revolutions</source>
         <translation>Várakozás az alján; negatív: fordulatok</translation>
     </message>
@@ -1364,17 +1364,17 @@
         <translation>Mező ürítése</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End of the thread Z</source>
         <translation>Menet vége Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back X</source>
         <translation>A visszaút vége X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back Z</source>
         <translation>A visszaút vége Z</translation>
     </message>
@@ -1384,12 +1384,12 @@
         <translation>Végpont X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point X of the last plunge</source>
         <translation>Utolsó beszúrás végpontja X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point X, where the thread is tapered</source>
         <translation>X végpont, ha a menet kúpos</translation>
     </message>
@@ -1399,12 +1399,12 @@
         <translation>Végpont Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Utolsó beszúrás végpontja Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point Z, where the thread is tapered</source>
         <translation>Z végpont, ha a menet kúpos</translation>
     </message>
@@ -1479,12 +1479,12 @@
         <translation>Tényleges</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters the relative counter: press again</source>
         <translation>Beírja a számlálót: újra</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters what was touched: press again</source>
         <translation>Beírja az érintést: újra</translation>
     </message>
@@ -1524,22 +1524,22 @@
         <translation>F11 vagy a felső gomb: a következő</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Homlok Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing a straight section</source>
         <translation>Egyenes szakasz oldalazása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing an arc</source>
         <translation>Ív oldalazása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Facing, one pass</source>
         <translation>Oldalazás, egy fogás</translation>
     </message>
@@ -1549,7 +1549,7 @@
         <translation>Szorzó</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Lépések szorzója; menetfúrás: 0, 1, 2</translation>
     </message>
@@ -1624,42 +1624,42 @@
         <translation>Előtolás-állj: a start folytatja</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed into hollows</source>
         <translation>Előtolás a mélyedésekbe</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of finishing</source>
         <translation>Simítás előtolása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of finishing, where the contour says none</source>
         <translation>Simító előtolás, ha a kontúr nem mondja</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of roughing</source>
         <translation>Nagyolás előtolása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Utolsó nagyoló fogás előtolása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way in</source>
         <translation>Előtolás befelé</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way out</source>
         <translation>Előtolás kifelé</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Előtolás: emelkedés × fordulatszám</translation>
     </message>
@@ -1684,27 +1684,27 @@
         <translation>Szűrő</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing a contour</source>
         <translation>Kontúr simítása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance</source>
         <translation>Simítási ráhagyás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance X</source>
         <translation>Simítási ráhagyás X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance Z</source>
         <translation>Simítási ráhagyás Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing passes</source>
         <translation>Simító fogások</translation>
     </message>
@@ -1714,7 +1714,7 @@
         <translation>Első WINS</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>A kontúr első mondata</translation>
     </message>
@@ -1774,12 +1774,12 @@
         <translation>Forrás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From hole to hole</source>
         <translation>Furattól furatig</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Gyorsból előtolásra (R szint)</translation>
     </message>
@@ -1789,7 +1789,7 @@
         <translation>Elölről</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>A kezdettől az első furatig</translation>
     </message>
@@ -1849,12 +1849,12 @@
         <translation>Legnagyobb, legkisebb eltérés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along X</source>
         <translation>Beszúrás X mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along Z</source>
         <translation>Beszúrás Z mentén</translation>
     </message>
@@ -1879,7 +1879,7 @@
         <translation>Kézikerekes eltolás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Height of the thread (radius)</source>
         <translation>Menetmagasság (sugár)</translation>
     </message>
@@ -2064,7 +2064,7 @@
         <translation>Az adatok ellentmondanak, vagy semmi sem illik rájuk.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Its values go: press again</source>
         <translation>Értékei elvesznek: még egyszer</translation>
     </message>
@@ -2124,7 +2124,7 @@
         <translation>Fajta</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Kind of infeed</source>
         <translation>Fogásvétel fajtája</translation>
     </message>
@@ -2199,7 +2199,7 @@
         <translation>Utolsó</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Last block of the contour</source>
         <translation>A kontúr utolsó mondata</translation>
     </message>
@@ -2214,37 +2214,37 @@
         <translation>Később</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Menetemelkedés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along X</source>
         <translation>Menetemelkedés X mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along Z</source>
         <translation>Menetemelkedés Z mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead as on the way in</source>
         <translation>Emelkedés, mint befelé</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Emelkedés; negatív: bal menet</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a pass</source>
         <translation>Legkisebb fogásmélység</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a peck</source>
         <translation>Legkisebb lépésmélység</translation>
     </message>
@@ -2254,7 +2254,7 @@
         <translation>Hossz</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Length of the run-out</source>
         <translation>Kifutás hossza</translation>
     </message>
@@ -2464,7 +2464,7 @@
         <translation>Tárak</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Main axis: 0 Z, 1 X</source>
         <translation>Főtengely: 0 Z, 1 X</translation>
     </message>
@@ -2604,7 +2604,7 @@
         <translation>Új méret</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>New edge</source>
         <translation>Új él</translation>
     </message>
@@ -2844,7 +2844,7 @@
         <translation>Semmi sem változott.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Nothing is like this. Escape shows all.</source>
         <translation>Ilyen nincs. Escape mindent mutat.</translation>
     </message>
@@ -2879,7 +2879,7 @@
         <translation>Szám</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of holes</source>
         <translation>Furatok száma</translation>
     </message>
@@ -2894,12 +2894,12 @@
         <translation>Utolsó mondat száma</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of passes</source>
         <translation>Fogások száma</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Number of starts</source>
         <translation>Bekezdések száma</translation>
     </message>
@@ -3184,7 +3184,7 @@
         <translation>Szerszámpályák a képernyők indítása óta; a csúcs pont</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Pattern menu</source>
         <translation>Mintaábra-menü</translation>
     </message>
@@ -3194,7 +3194,7 @@
         <translation>Szünet</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Lépéses beszúrás Z mentén</translation>
     </message>
@@ -3224,17 +3224,17 @@
         <translation>Hely</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole C</source>
         <translation>Furat helye C</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Place of the hole X</source>
         <translation>Furat helye X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Furat helye Z</translation>
     </message>
@@ -3244,12 +3244,12 @@
         <translation>Helyek</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes along a line</source>
         <translation>Furatok helye egyenes mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes on a circle</source>
         <translation>Furatok helye körön</translation>
     </message>
@@ -3324,7 +3324,7 @@
         <translation>Kinyomtatva: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Probe is offset %1: press again</source>
         <translation>Tapintó: %1. korrekció, újra</translation>
     </message>
@@ -3364,7 +3364,7 @@
         <translation>A paletta programja</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>A kontúr programja</translation>
     </message>
@@ -3419,12 +3419,12 @@
         <translation>Sugár</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the arc</source>
         <translation>Az ív sugara</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the circle of holes</source>
         <translation>A furatkör sugara</translation>
     </message>
@@ -3459,12 +3459,12 @@
         <translation>Üzemkész</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming (in G17 along Z)</source>
         <translation>Dörzsárazás (G17-ben Z mentén)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming behind each block that moves</source>
         <translation>Dörzsárazás minden mozgó mondat után</translation>
     </message>
@@ -3499,7 +3499,7 @@
         <translation>Összes tengely referencia</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Vonatkoztatási sík: a felület</translation>
     </message>
@@ -3509,12 +3509,12 @@
         <translation>Frissítés</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative input</source>
         <translation>Relatív bevitel</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative zero</source>
         <translation>Relatív nulla</translation>
     </message>
@@ -3529,7 +3529,7 @@
         <translation>Szerszám feloldása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Relief at the bottom</source>
         <translation>Elhúzás az alján</translation>
     </message>
@@ -3554,12 +3554,12 @@
         <translation>Átnevezve</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Javítás: hol mérték a menetet</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Kontúr ismétlése</translation>
     </message>
@@ -3639,12 +3639,12 @@
         <translation>A visszakövetés a végére ért</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Retract after each pass</source>
         <translation>Kiemelés fogásonként</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Retract plane</source>
         <translation>Visszahúzási sík</translation>
     </message>
@@ -3654,32 +3654,32 @@
         <translation>Vissza %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Merevszárú menetfúrás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face</source>
         <translation>Merevszárú menetfúrás a homlokon</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face, the way back</source>
         <translation>Merevszárú menetfúrás a homlokon, visszaút</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side</source>
         <translation>Merevszárú menetfúrás oldalról</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side, the way back</source>
         <translation>Merevszárú menetfúrás oldalról, visszaút</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping of a left-hand thread</source>
         <translation>Merevszárú balmenetfúrás</translation>
     </message>
@@ -3704,12 +3704,12 @@
         <translation>Hely jobbra, félhely</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along X</source>
         <translation>Nagyolás X mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along Z</source>
         <translation>Nagyolás Z mentén</translation>
     </message>
@@ -3719,17 +3719,17 @@
         <translation>Lekerekítés a következőhöz</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-in; -1: as the axis accelerates</source>
         <translation>Ráfutás; -1: ahogy a tengely gyorsul</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Kifutás az emelkedés tizedében</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-out; -1: as the axis brakes</source>
         <translation>Kifutás; -1: ahogy a tengely fékez</translation>
     </message>
@@ -3739,22 +3739,22 @@
         <translation>Fut</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Runs in and out within the thread: 1</source>
         <translation>Be- és kifutás a meneten belül: 1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Biztonsági távolság</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Safety distance before the surface</source>
         <translation>Biztonsági távolság a felület előtt</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance of the way back</source>
         <translation>Visszahúzás biztonsági távolsága</translation>
     </message>
@@ -3834,7 +3834,7 @@
         <translation>Alapérték: újra</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nullát állít: újra</translation>
     </message>
@@ -3974,7 +3974,7 @@
         <translation>Fordulat nincs elérve</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Főorsó fordulatszáma</translation>
     </message>
@@ -4049,12 +4049,12 @@
         <translation>Start: %1. csoport</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 1st axis (X: radius)</source>
         <translation>Vonal kezdete, 1. tengely (X: sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 2nd axis (X: radius)</source>
         <translation>Vonal kezdete, 2. tengely (X: sugár)</translation>
     </message>
@@ -4094,17 +4094,17 @@
         <translation>Állomás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along X (radius)</source>
         <translation>Lépés X mentén (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along Z</source>
         <translation>Lépés Z mentén</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Step between two plunges</source>
         <translation>Lépés két beszúrás között</translation>
     </message>
@@ -4114,17 +4114,17 @@
         <translation>Nyersdarab</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Stock to take off</source>
         <translation>Leválasztandó ráhagyás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along X (radius)</source>
         <translation>Ráhagyás X mentén (sugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along Z</source>
         <translation>Ráhagyás Z mentén</translation>
     </message>
@@ -4164,7 +4164,7 @@
         <translation>Alhálózati maszk</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Surface Z</source>
         <translation>Felület Z</translation>
     </message>
@@ -4224,42 +4224,42 @@
         <translation>Mihez érintő? Semmi sincs előtte.</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (Z at the start less that at the end)</source>
         <translation>Kúp (kezdő Z mínusz vég Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (radius at the start less that at the end)</source>
         <translation>Kúp (kezdősugár mínusz végsugár)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping</source>
         <translation>Menetfúrás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping a left-hand thread</source>
         <translation>Balmenet fúrása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the face</source>
         <translation>Menetfúrás a homlokon</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the face with a compensating chuck</source>
         <translation>Menetfúrás a homlokon kiegyenlítő tokmánnyal</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Menetfúrás oldalról</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the side with a compensating chuck</source>
         <translation>Menetfúrás oldalról kiegyenlítő tokmánnyal</translation>
     </message>
@@ -4474,7 +4474,7 @@
         <translation>A programok olvasása folyik</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>L%1 relatív számlálója innen indul</translation>
     </message>
@@ -4569,12 +4569,12 @@
         <translation>Nagyon különböznek</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no offsets.</source>
         <translation>Ennek a csatornának nincsenek korrekciói.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no tools: enter them on the page of tools.</source>
         <translation>Ennek a csatornának nincs szerszáma: vigye fel őket a szerszámok oldalán.</translation>
     </message>
@@ -4604,7 +4604,7 @@
         <translation>A mappa üres.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>This is here</source>
         <translation>Itt ennyi</translation>
     </message>
@@ -4639,47 +4639,47 @@
         <translation>Ez a rendszer nem ismer WINS-t: a neveket a DNS adja</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, one pass</source>
         <translation>Menet Z mentén, egy fogás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead grows</source>
         <translation>Menet Z mentén, növekvő emelkedés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead shrinks</source>
         <translation>Menet Z mentén, csökkenő emelkedés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Menet több fogással</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Menet a homlokon</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, one pass</source>
         <translation>Menet a homlokon, egy fogás</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead grows</source>
         <translation>Menet a homlokon, növekvő emelkedés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead shrinks</source>
         <translation>Menet a homlokon, csökkenő emelkedés</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Thread, one pass</source>
         <translation>Menet, egy fogás</translation>
     </message>
@@ -4739,7 +4739,7 @@
         <translation>Csúcs</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tip is at this measure: press again</source>
         <translation>A csúcs a méreten: újra</translation>
     </message>
@@ -4834,7 +4834,7 @@
         <translation>Korrekciók</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tool setter</source>
         <translation>Szerszám bemérése</translation>
     </message>
@@ -4909,17 +4909,17 @@
         <translation>Esztergaciklusok</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning a straight section</source>
         <translation>Egyenes szakasz esztergálása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning an arc</source>
         <translation>Ív esztergálása</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Turning, one pass</source>
         <translation>Esztergálás, egy fogás</translation>
     </message>
@@ -5089,12 +5089,12 @@
         <translation>Előírt</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Visszahúzás lépésenként</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Way back or clearance of a peck</source>
         <translation>Lépés visszahúzása vagy hézaga</translation>
     </message>
@@ -5179,7 +5179,7 @@
         <translation>Megjelenítő kiszolgáló nélkül a billentyűzet dönt</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Without a probe offset: press again</source>
         <translation>Tapintókorrekció nélkül: újra</translation>
     </message>
@@ -5189,7 +5189,7 @@
         <translation>Hatás nélkül:</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Without tool management (N2900) programs bring their own tools and edges.</source>
         <translation>Szerszámkezelés (N2900) nélkül a program adja meg a szerszámokat és éleket.</translation>
     </message>
@@ -5229,7 +5229,7 @@
         <translation>Munkadarab</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Workpiece setter</source>
         <translation>Munkadarab bemérése</translation>
     </message>
@@ -5284,7 +5284,7 @@
         <translation>Nullpont</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Zero here</source>
         <translation>Nullázás itt</translation>
     </message>
@@ -5319,17 +5319,17 @@
         <translation>minden paraméter</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>riasztás állított le mindent</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>a csatorna riasztása áll</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an axis is being moved by hand</source>
         <translation>egy tengelyt kézzel mozgatnak</translation>
     </message>
@@ -5349,17 +5349,17 @@
         <translation>kar S%1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>csatolja vissza (AP_DETCHR)</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>axes are on their way to their reference points</source>
         <translation>a tengelyek referenciára mennek</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>axes were moved in the hold</source>
         <translation>a tengelyeket tartás közben elmozdították</translation>
     </message>
@@ -5384,12 +5384,12 @@
         <translation>furat</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring a tool into place</source>
         <translation>állítson be szerszámot</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring it to its end</source>
         <translation>vigye a végállásba</translation>
     </message>
@@ -5409,7 +5409,7 @@
         <translation>karakterkód</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>válasszon automatát vagy MDI-t</translation>
     </message>
@@ -5424,12 +5424,12 @@
         <translation>tokmány nyitva</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, look at its pressure</source>
         <translation>zárja, nézze meg a nyomását</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, or switch to setup mode</source>
         <translation>csukja be, vagy váltson beállító módra</translation>
     </message>
@@ -5499,7 +5499,7 @@
         <translation>°/s²</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>detached</source>
         <translation>leválasztva</translation>
     </message>
@@ -5519,7 +5519,7 @@
         <translation>üres</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>enter one, or choose auto</source>
         <translation>írjon be egyet, vagy válasszon automatát</translation>
     </message>
@@ -5534,7 +5534,7 @@
         <translation>tényleges: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>everything was stopped by an alarm</source>
         <translation>riasztás állított le mindent</translation>
     </message>
@@ -5554,7 +5554,7 @@
         <translation>fájlok: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>töltse fel az olajat</translation>
     </message>
@@ -5674,7 +5674,7 @@
         <translation>%1. sor, %2. oszlop</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>load a new one</source>
         <translation>töltsön be újat</translation>
     </message>
@@ -5794,7 +5794,7 @@
         <translation>nem</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no block is entered</source>
         <translation>nincs beírva mondat</translation>
     </message>
@@ -5809,7 +5809,7 @@
         <translation>nincs program</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>nincs kiválasztott program</translation>
     </message>
@@ -5819,7 +5819,7 @@
         <translation>nincs ref.</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no tool is in place, the turret is not locked</source>
         <translation>nincs szerszám, a revolverfej nincs rögzítve</translation>
     </message>
@@ -5839,12 +5839,12 @@
         <translation>még nem szám</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>nincs minden referencia</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>not all channels of the restart are at their blocks</source>
         <translation>az újraindítás nem minden csatornája áll a mondatánál</translation>
     </message>
@@ -5979,22 +5979,22 @@
         <translation>hely</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press machine on</source>
         <translation>nyomja meg: gép be</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press reference all</source>
         <translation>nyomja meg: összes tengely referencia</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press reset</source>
         <translation>nyomjon resetet</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press return</source>
         <translation>nyomja meg: vissza</translation>
     </message>
@@ -6034,27 +6034,27 @@
         <translation>rekord</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>reference it</source>
         <translation>vegyen fel referenciát</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>release it and switch the machine on</source>
         <translation>oldja ki és kapcsolja be a gépet</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>szüntesse meg az okát és reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>remove its cause, then press reset</source>
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>restore a backup, or let a maker confirm what is left</source>
         <translation>állítson vissza egy mentést, vagy a gyártó hagyja jóvá, ami megmaradt</translation>
     </message>
@@ -6094,7 +6094,7 @@
         <translation>s</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>válasszon egyet a programok oldalán</translation>
     </message>
@@ -6129,7 +6129,7 @@
         <translation>állomás</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>switch it on</source>
         <translation>kapcsolja be</translation>
     </message>
@@ -6149,32 +6149,32 @@
         <translation>a következő előfeldolgozási megállás után érvényes</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>elfogyott a rúd</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the channel's process is not there</source>
         <translation>a csatorna folyamata nem fut</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the chuck does not hold</source>
         <translation>a tokmány nem fog</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the door is open</source>
         <translation>az ajtó nyitva</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the emergency stop is active</source>
         <translation>a vészleállítás aktív</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the lubrication is missing</source>
         <translation>nincs kenés</translation>
     </message>
@@ -6189,22 +6189,22 @@
         <translation>a gépnek nincs ilyen</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the machine is not switched on</source>
         <translation>a gép nincs bekapcsolva</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is off</source>
         <translation>a gép ki van kapcsolva</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is ready</source>
         <translation>a gép üzemkész</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>a mód kézi mozgatás</translation>
     </message>
@@ -6219,22 +6219,22 @@
         <translation>a program nem vesz igénybe időt</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>a reset még tart</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store has lost data: no production</source>
         <translation>a tároló adatokat vesztett: nincs gyártás</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>a tároló nem fut: semmi nem maradna meg</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>a szegnyereg sem hátul, sem szorítva</translation>
     </message>
@@ -6284,7 +6284,7 @@
         <translation>nyomaték</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>turn the button back, then press machine on</source>
         <translation>oldja ki a gombot, majd gép be</translation>
     </message>
@@ -6329,32 +6329,32 @@
         <translation>sebesség</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>várjon</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait for them; if it was refused, restart again or reset</source>
         <translation>várjon rájuk; ha elutasította, indítsa újra vagy reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it is started again, then reset</source>
         <translation>várja meg az újraindulását, majd reset</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it rests</source>
         <translation>várja meg, míg megáll</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it runs again</source>
         <translation>várja meg, míg újra fut</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>várja meg, míg a tengelyek megállnak</translation>
     </message>

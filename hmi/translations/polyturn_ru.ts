@@ -49,7 +49,7 @@
         <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 has values again: they stay</source>
         <translation>У %1 снова есть значения: они остаются</translation>
     </message>
@@ -84,7 +84,7 @@
         <translation>%1 записывается: носитель отвечает медленно</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is deleted</source>
         <translation>%1: удалено</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>Вход выполнен: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is new</source>
         <translation>Новая кромка: %1</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>%1 извлечён</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>%1 is there again</source>
         <translation>%1: восстановлено</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>Угол в начале к +Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle between two holes; 0: evenly spread</source>
         <translation>Угол между отверстиями; 0: равномерно</translation>
     </message>
@@ -499,27 +499,27 @@
         <translation>Угол дуги</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the first hole to the 1st axis</source>
         <translation>Угол первого отверстия к 1-й оси</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Угол врезания</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Angle of the line to the 1st axis</source>
         <translation>Угол прямой к 1-й оси</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Angle of the spindle at the start</source>
         <translation>Угол шпинделя в начале</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Angle of the tool tip</source>
         <translation>Угол вершины резца</translation>
     </message>
@@ -619,12 +619,12 @@
         <translation>Резервные копии</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, clockwise</source>
         <translation>Бочкообразная резьба по дуге, по часовой стрелке</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Barrel thread on an arc, counter-clockwise</source>
         <translation>Бочкообразная резьба по дуге, против часовой стрелки</translation>
     </message>
@@ -639,7 +639,7 @@
         <translation>База R</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Base lengths</source>
         <translation>Базовые длины</translation>
     </message>
@@ -669,62 +669,62 @@
         <translation>Кадры вводятся в режиме РВД или пока программа остановлена</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring</source>
         <translation>Растачивание</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the face</source>
         <translation>Растачивание в торце</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring in the side</source>
         <translation>Растачивание сбоку</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring with a dwell</source>
         <translation>Растачивание с выдержкой</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Boring, back with the spindle stopped</source>
         <translation>Растачивание, отвод со стоящим шпинделем</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom X</source>
         <translation>Дно X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom Z</source>
         <translation>Дно Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole X</source>
         <translation>Дно отверстия X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole X, or the end of the way back</source>
         <translation>Дно отверстия X или конец обратного хода</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Дно отверстия Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole Z, or the end of the way back</source>
         <translation>Дно отверстия Z или конец обратного хода</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Bottom of the hole, where no depth is told</source>
         <translation>Дно отверстия, если глубина не задана</translation>
     </message>
@@ -784,22 +784,22 @@
         <translation>Центр Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point X (radius)</source>
         <translation>Центр от начальной точки X (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Центр от начальной точки Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 1st axis (X: radius)</source>
         <translation>Центр окружности, 1-я ось (X: радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Centre of the circle, 2nd axis (X: radius)</source>
         <translation>Центр окружности, 2-я ось (X: радиус)</translation>
     </message>
@@ -819,7 +819,7 @@
         <translation>Изменить</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Изменение шага за оборот</translation>
     </message>
@@ -919,7 +919,7 @@
         <translation>Очистить поиск</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Clearance before the next peck</source>
         <translation>Зазор перед следующим шагом</translation>
     </message>
@@ -1004,7 +1004,7 @@
         <translation>Копия, удаление ...</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Внутренний диаметр в конце</translation>
     </message>
@@ -1099,7 +1099,7 @@
         <translation>Удалить все</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Delete edge</source>
         <translation>Удалить кромку</translation>
     </message>
@@ -1129,52 +1129,52 @@
         <translation>Зависит от</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Depth below the surface, instead of the bottom</source>
         <translation>Глубина от поверхности вместо дна</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Глубина шага</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along X (radius)</source>
         <translation>Глубина шага по X (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of a peck along Z</source>
         <translation>Глубина шага по Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of a peck; 0: tapping</source>
         <translation>Глубина шага; 0: резьба метчиком</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of cut</source>
         <translation>Глубина резания</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut (radius)</source>
         <translation>Глубина резания (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Depth of cut along Z</source>
         <translation>Глубина резания по Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the first pass (radius)</source>
         <translation>Глубина первого прохода (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Depth of the hole</source>
         <translation>Глубина отверстия</translation>
     </message>
@@ -1194,7 +1194,7 @@
         <translation>Диаметр</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter at the end</source>
         <translation>Диаметр в конце</translation>
     </message>
@@ -1204,7 +1204,7 @@
         <translation>Диаметр калибра</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Диаметр этого прохода в конце</translation>
     </message>
@@ -1234,7 +1234,7 @@
         <translation>Выполнить шаг</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling</source>
         <translation>Сверление</translation>
     </message>
@@ -1244,52 +1244,52 @@
         <translation>Циклы сверления</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Сверление и нарезание резьбы</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the face</source>
         <translation>Сверление в торце</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling in the side</source>
         <translation>Сверление сбоку</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with a dwell</source>
         <translation>Сверление с выдержкой</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling with pecks</source>
         <translation>Сверление с выводом</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Drilling, breaking chips</source>
         <translation>Сверление с ломкой стружки</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring (in G17 along Z)</source>
         <translation>Сверление, центрование (в G17 по Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, centring behind each block that moves</source>
         <translation>Сверление, центрование после каждого кадра с движением</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring (in G17 along Z)</source>
         <translation>Сверление, цекование (в G17 по Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Drilling, counterboring behind each block that moves</source>
         <translation>Сверление, цекование после каждого кадра с движением</translation>
     </message>
@@ -1314,12 +1314,12 @@
         <translation>Пауза</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Выдержка на дне</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Dwell at the bottom; negative: revolutions</source>
         <translation>Выдержка на дне; отрицательная: обороты</translation>
     </message>
@@ -1364,17 +1364,17 @@
         <translation>Очистить поле</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End of the thread Z</source>
         <translation>Конец резьбы Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back X</source>
         <translation>Конец обратного хода X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End of the way back Z</source>
         <translation>Конец обратного хода Z</translation>
     </message>
@@ -1384,12 +1384,12 @@
         <translation>Конечная точка X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point X of the last plunge</source>
         <translation>Конечная точка X последнего врезания</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point X, where the thread is tapered</source>
         <translation>Конечная точка X, если резьба коническая</translation>
     </message>
@@ -1399,12 +1399,12 @@
         <translation>Конечная точка Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Конечная точка Z последнего врезания</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>End point Z, where the thread is tapered</source>
         <translation>Конечная точка Z, если резьба коническая</translation>
     </message>
@@ -1479,12 +1479,12 @@
         <translation>Введено</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters the relative counter: press again</source>
         <translation>Введёт счётчик: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Enters what was touched: press again</source>
         <translation>Введёт измеренное: ещё раз</translation>
     </message>
@@ -1524,22 +1524,22 @@
         <translation>F11 или кнопка вверху: следующий</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Торец Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing a straight section</source>
         <translation>Подрезка прямого участка</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Facing an arc</source>
         <translation>Подрезка дуги</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Facing, one pass</source>
         <translation>Подрезка, один проход</translation>
     </message>
@@ -1549,7 +1549,7 @@
         <translation>Множитель</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Множитель шагов; метчик: вид 0, 1, 2</translation>
     </message>
@@ -1624,42 +1624,42 @@
         <translation>Стоп подачи: пуск продолжит</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed into hollows</source>
         <translation>Подача врезания во впадины</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of finishing</source>
         <translation>Подача чистовой обработки</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of finishing, where the contour says none</source>
         <translation>Чистовая подача, если её нет в контуре</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Feed of roughing</source>
         <translation>Подача черновой обработки</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Подача последнего чернового прохода</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way in</source>
         <translation>Подача на пути внутрь</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed on the way out</source>
         <translation>Подача на пути наружу</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Подача: шаг, умноженный на обороты</translation>
     </message>
@@ -1684,27 +1684,27 @@
         <translation>Фильтр</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing a contour</source>
         <translation>Чистовая обработка контура</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance</source>
         <translation>Чистовой припуск</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance X</source>
         <translation>Чистовой припуск X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Finishing allowance Z</source>
         <translation>Чистовой припуск Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Finishing passes</source>
         <translation>Чистовых проходов</translation>
     </message>
@@ -1714,7 +1714,7 @@
         <translation>Первый WINS</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>Первый кадр контура</translation>
     </message>
@@ -1774,12 +1774,12 @@
         <translation>Откуда</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From hole to hole</source>
         <translation>От отверстия до отверстия</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Переход на подачу (уровень R)</translation>
     </message>
@@ -1789,7 +1789,7 @@
         <translation>С начала</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>От начала до первого отверстия</translation>
     </message>
@@ -1849,12 +1849,12 @@
         <translation>Отклонение, макс. / мин.</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along X</source>
         <translation>Канавки вдоль X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Grooving along Z</source>
         <translation>Канавки вдоль Z</translation>
     </message>
@@ -1879,7 +1879,7 @@
         <translation>Смещение маховичком</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Height of the thread (radius)</source>
         <translation>Высота резьбы (радиус)</translation>
     </message>
@@ -2064,7 +2064,7 @@
         <translation>Данные противоречат друг другу или им ничто не подходит.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Its values go: press again</source>
         <translation>Значения пропадут: ещё раз</translation>
     </message>
@@ -2124,7 +2124,7 @@
         <translation>Вид</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Kind of infeed</source>
         <translation>Вид врезания</translation>
     </message>
@@ -2199,7 +2199,7 @@
         <translation>Последний</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Last block of the contour</source>
         <translation>Последний кадр контура</translation>
     </message>
@@ -2214,37 +2214,37 @@
         <translation>Позже</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Шаг резьбы</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along X</source>
         <translation>Шаг резьбы по X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead along Z</source>
         <translation>Шаг резьбы по Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead as on the way in</source>
         <translation>Шаг, как на пути внутрь</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Lead; negative: a left-hand thread</source>
         <translation>Шаг; отрицательный: левая резьба</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a pass</source>
         <translation>Наименьшая глубина прохода</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Least depth of a peck</source>
         <translation>Наименьшая глубина шага</translation>
     </message>
@@ -2254,7 +2254,7 @@
         <translation>Длина</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Length of the run-out</source>
         <translation>Длина сбега</translation>
     </message>
@@ -2464,7 +2464,7 @@
         <translation>Магазины</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Main axis: 0 Z, 1 X</source>
         <translation>Главная ось: 0 Z, 1 X</translation>
     </message>
@@ -2604,7 +2604,7 @@
         <translation>Новый размер</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>New edge</source>
         <translation>Новая кромка</translation>
     </message>
@@ -2844,7 +2844,7 @@
         <translation>Ничего не изменено.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Nothing is like this. Escape shows all.</source>
         <translation>Такого здесь нет. Escape показывает всё.</translation>
     </message>
@@ -2879,7 +2879,7 @@
         <translation>Номер</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of holes</source>
         <translation>Число отверстий</translation>
     </message>
@@ -2894,12 +2894,12 @@
         <translation>Номер последнего кадра</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Number of passes</source>
         <translation>Число проходов</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Number of starts</source>
         <translation>Число заходов</translation>
     </message>
@@ -3184,7 +3184,7 @@
         <translation>Траектории с запуска экрана; вершины резцов — точки</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Pattern menu</source>
         <translation>Меню шаблонов</translation>
     </message>
@@ -3194,7 +3194,7 @@
         <translation>Пауза</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Сверление с выводом, канавки вдоль Z</translation>
     </message>
@@ -3224,17 +3224,17 @@
         <translation>Место</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole C</source>
         <translation>Место отверстия C</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Place of the hole X</source>
         <translation>Место отверстия X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Место отверстия Z</translation>
     </message>
@@ -3244,12 +3244,12 @@
         <translation>Папки и носители</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes along a line</source>
         <translation>Места отверстий по прямой</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Places of holes on a circle</source>
         <translation>Места отверстий по окружности</translation>
     </message>
@@ -3324,7 +3324,7 @@
         <translation>Напечатано: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Probe is offset %1: press again</source>
         <translation>Щуп: корректор %1, ещё раз</translation>
     </message>
@@ -3364,7 +3364,7 @@
         <translation>Программа паллеты</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>Программа с контуром</translation>
     </message>
@@ -3419,12 +3419,12 @@
         <translation>Радиус</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the arc</source>
         <translation>Радиус дуги</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Radius of the circle of holes</source>
         <translation>Радиус окружности отверстий</translation>
     </message>
@@ -3459,12 +3459,12 @@
         <translation>Готов</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming (in G17 along Z)</source>
         <translation>Развёртывание (в G17 по Z)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reaming behind each block that moves</source>
         <translation>Развёртывание после каждого кадра с движением</translation>
     </message>
@@ -3499,7 +3499,7 @@
         <translation>Все оси: в реф. точку</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Reference plane: the surface</source>
         <translation>Базовая плоскость: поверхность</translation>
     </message>
@@ -3509,12 +3509,12 @@
         <translation>Обновить</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative input</source>
         <translation>Ввод относит.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Relative zero</source>
         <translation>Относит. нуль</translation>
     </message>
@@ -3529,7 +3529,7 @@
         <translation>Разблокировать инструмент</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Relief at the bottom</source>
         <translation>Отвод на дне</translation>
     </message>
@@ -3554,12 +3554,12 @@
         <translation>Переименовано</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Ремонт: где измерена резьба</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Повторение контура</translation>
     </message>
@@ -3639,12 +3639,12 @@
         <translation>Возврат по траектории дошёл до конца</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Retract after each pass</source>
         <translation>Отвод после каждого прохода</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Retract plane</source>
         <translation>Плоскость отвода</translation>
     </message>
@@ -3654,32 +3654,32 @@
         <translation>Возврат %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Жёсткое нарезание</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face</source>
         <translation>Жёсткое нарезание в торце</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the face, the way back</source>
         <translation>Жёсткое нарезание в торце, обратный ход</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side</source>
         <translation>Жёсткое нарезание сбоку</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Rigid tapping in the side, the way back</source>
         <translation>Жёсткое нарезание сбоку, обратный ход</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Rigid tapping of a left-hand thread</source>
         <translation>Жёсткое нарезание левой резьбы</translation>
     </message>
@@ -3704,12 +3704,12 @@
         <translation>Место справа, полуместа</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along X</source>
         <translation>Черновая обработка вдоль X</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Roughing along Z</source>
         <translation>Черновая обработка вдоль Z</translation>
     </message>
@@ -3719,17 +3719,17 @@
         <translation>Скругление к следующему</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-in; -1: as the axis accelerates</source>
         <translation>Разбег; -1: как разгоняется ось</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Сбег в десятых шага</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Run-out; -1: as the axis brakes</source>
         <translation>Сбег; -1: как тормозит ось</translation>
     </message>
@@ -3739,22 +3739,22 @@
         <translation>Работает</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Runs in and out within the thread: 1</source>
         <translation>Вход и выход внутри резьбы: 1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Безопасное расстояние</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Safety distance before the surface</source>
         <translation>Безопасное расстояние до поверхности</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Safety distance of the way back</source>
         <translation>Безопасное расстояние отвода</translation>
     </message>
@@ -3834,7 +3834,7 @@
         <translation>Задаст исходное: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Задаст нуль: ещё раз</translation>
     </message>
@@ -3974,7 +3974,7 @@
         <translation>Обороты не набраны</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Частота вращения шпинделя</translation>
     </message>
@@ -4049,12 +4049,12 @@
         <translation>Пуск группы %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 1st axis (X: radius)</source>
         <translation>Начало прямой, 1-я ось (X: радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Start of the line, 2nd axis (X: radius)</source>
         <translation>Начало прямой, 2-я ось (X: радиус)</translation>
     </message>
@@ -4094,17 +4094,17 @@
         <translation>Станция</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along X (radius)</source>
         <translation>Шаг по X (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Step along Z</source>
         <translation>Шаг по Z</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Step between two plunges</source>
         <translation>Шаг между врезаниями</translation>
     </message>
@@ -4114,17 +4114,17 @@
         <translation>Заготовка</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Stock to take off</source>
         <translation>Снимаемый припуск</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along X (radius)</source>
         <translation>Снимаемый припуск по X (радиус)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Stock to take off along Z</source>
         <translation>Снимаемый припуск по Z</translation>
     </message>
@@ -4164,7 +4164,7 @@
         <translation>Маска подсети</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Surface Z</source>
         <translation>Поверхность Z</translation>
     </message>
@@ -4224,42 +4224,42 @@
         <translation>Касательно к чему? Перед ним ничего нет.</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (Z at the start less that at the end)</source>
         <translation>Конус (Z в начале минус в конце)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Taper (radius at the start less that at the end)</source>
         <translation>Конус (радиус в начале минус в конце)</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping</source>
         <translation>Нарезание метчиком</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping a left-hand thread</source>
         <translation>Левая резьба метчиком</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the face</source>
         <translation>Нарезание метчиком в торце</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the face with a compensating chuck</source>
         <translation>Нарезание в торце с компенсирующим патроном</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Нарезание метчиком сбоку</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Tapping in the side with a compensating chuck</source>
         <translation>Нарезание сбоку с компенсирующим патроном</translation>
     </message>
@@ -4474,7 +4474,7 @@
         <translation>Программы читаются</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offset_entries.cpp"/>
         <source>The relative counter of L%1 begins here</source>
         <translation>Относительный счётчик L%1 начинается здесь</translation>
     </message>
@@ -4569,12 +4569,12 @@
         <translation>Они совсем разные</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no offsets.</source>
         <translation>У этого канала нет корректоров.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>This channel has no tools: enter them on the page of tools.</source>
         <translation>У этого канала нет инструментов: введите их на странице инструментов.</translation>
     </message>
@@ -4604,7 +4604,7 @@
         <translation>Папка пуста.</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>This is here</source>
         <translation>Здесь это</translation>
     </message>
@@ -4639,47 +4639,47 @@
         <translation>WINS не поддерживается, имена определяет DNS</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, one pass</source>
         <translation>Резьба вдоль Z, один проход</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead grows</source>
         <translation>Резьба вдоль Z, шаг растёт</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread along Z, the lead shrinks</source>
         <translation>Резьба вдоль Z, шаг убывает</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Резьба за несколько проходов</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Резьба на торце</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, one pass</source>
         <translation>Резьба на торце, один проход</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead grows</source>
         <translation>Резьба на торце, шаг растёт</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <location filename="../../ipc/model/languages/sinumerik_forms.cpp"/>
         <source>Thread in the face, the lead shrinks</source>
         <translation>Резьба на торце, шаг убывает</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Thread, one pass</source>
         <translation>Резьба, один проход</translation>
     </message>
@@ -4739,7 +4739,7 @@
         <translation>Вершина</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tip is at this measure: press again</source>
         <translation>Вершина на размере: ещё раз</translation>
     </message>
@@ -4834,7 +4834,7 @@
         <translation>Корректоры</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Tool setter</source>
         <translation>Датчик инструмента</translation>
     </message>
@@ -4909,17 +4909,17 @@
         <translation>Токарные циклы</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning a straight section</source>
         <translation>Точение прямого участка</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Turning an arc</source>
         <translation>Точение дуги</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Turning, one pass</source>
         <translation>Точение, один проход</translation>
     </message>
@@ -5089,12 +5089,12 @@
         <translation>Нужно</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fagor_forms.cpp"/>
         <source>Way back after each peck</source>
         <translation>Отвод после каждого шага</translation>
     </message>
     <message>
-        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <location filename="../../ipc/model/languages/fanuc_forms.cpp"/>
         <source>Way back or clearance of a peck</source>
         <translation>Отвод или зазор шага</translation>
     </message>
@@ -5179,7 +5179,7 @@
         <translation>Без сервера дисплея решает сама клавиатура</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Without a probe offset: press again</source>
         <translation>Без корректора щупа: ещё раз</translation>
     </message>
@@ -5189,7 +5189,7 @@
         <translation>Не действует:</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../machine/tools/offset_table.cpp"/>
         <source>Without tool management (N2900) programs bring their own tools and edges.</source>
         <translation>Без управления инструментами (N2900) инструменты и кромки задаёт сама программа.</translation>
     </message>
@@ -5229,7 +5229,7 @@
         <translation>Деталь</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Workpiece setter</source>
         <translation>Щуп детали</translation>
     </message>
@@ -5284,7 +5284,7 @@
         <translation>Нуль</translation>
     </message>
     <message>
-        <location filename="../screens/tools/offsets.cpp"/>
+        <location filename="../screens/tools/offsets_keys.cpp"/>
         <source>Zero here</source>
         <translation>Нуль здесь</translation>
     </message>
@@ -5319,17 +5319,17 @@
         <translation>все параметры</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>авария всё остановила</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an alarm of the channel stands</source>
         <translation>авария канала не снята</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>an axis is being moved by hand</source>
         <translation>ось перемещают вручную</translation>
     </message>
@@ -5349,17 +5349,17 @@
         <translation>манипулятор S%1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>подключите её (AP_DETCHR)</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>axes are on their way to their reference points</source>
         <translation>оси идут в реф. точки</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>axes were moved in the hold</source>
         <translation>оси отведены при удержании</translation>
     </message>
@@ -5384,12 +5384,12 @@
         <translation>отверстие</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring a tool into place</source>
         <translation>поставьте инструмент</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>bring it to its end</source>
         <translation>доведите её до конца</translation>
     </message>
@@ -5409,7 +5409,7 @@
         <translation>код символа</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>выберите автомат или РВД</translation>
     </message>
@@ -5424,12 +5424,12 @@
         <translation>патрон разжат</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, look at its pressure</source>
         <translation>закройте его, проверьте давление</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>close it, or switch to setup mode</source>
         <translation>закройте её или включите режим наладки</translation>
     </message>
@@ -5499,7 +5499,7 @@
         <translation>°/с²</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>detached</source>
         <translation>отключена</translation>
     </message>
@@ -5519,7 +5519,7 @@
         <translation>пусто</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>enter one, or choose auto</source>
         <translation>введите его или выберите автомат</translation>
     </message>
@@ -5534,7 +5534,7 @@
         <translation>введено: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>everything was stopped by an alarm</source>
         <translation>всё остановлено аварией</translation>
     </message>
@@ -5554,7 +5554,7 @@
         <translation>файлов: %1</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>долейте масло</translation>
     </message>
@@ -5674,7 +5674,7 @@
         <translation>строка %1, столбец %2</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>load a new one</source>
         <translation>загрузите новый</translation>
     </message>
@@ -5794,7 +5794,7 @@
         <translation>нет</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no block is entered</source>
         <translation>кадр не введён</translation>
     </message>
@@ -5809,7 +5809,7 @@
         <translation>нет программы</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no program is selected</source>
         <translation>программа не выбрана</translation>
     </message>
@@ -5819,7 +5819,7 @@
         <translation>нет реф.</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>no tool is in place, the turret is not locked</source>
         <translation>нет инструмента, револьвер не зажат</translation>
     </message>
@@ -5839,12 +5839,12 @@
         <translation>ещё не число</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>не все оси в реф. точке</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>not all channels of the restart are at their blocks</source>
         <translation>не все каналы пуска с кадра стоят у своих кадров</translation>
     </message>
@@ -5979,22 +5979,22 @@
         <translation>гнёзд</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press machine on</source>
         <translation>включите станок</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>press reference all</source>
         <translation>нажмите «Все оси: в реф. точку»</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press reset</source>
         <translation>нажмите «сброс»</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>press return</source>
         <translation>нажмите «возврат»</translation>
     </message>
@@ -6034,27 +6034,27 @@
         <translation>записей</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>reference it</source>
         <translation>выведите её в реф. точку</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>release it and switch the machine on</source>
         <translation>отпустите его и включите станок</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>remove its cause and reset</source>
         <translation>устраните причину и сбросьте</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>remove its cause, then press reset</source>
         <translation>устраните причину, затем сброс</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>restore a backup, or let a maker confirm what is left</source>
         <translation>восстановите резервную копию или пусть изготовитель подтвердит остаток</translation>
     </message>
@@ -6094,7 +6094,7 @@
         <translation>с</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>select one on the page of programs</source>
         <translation>выберите её на странице программ</translation>
     </message>
@@ -6129,7 +6129,7 @@
         <translation>станций</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>switch it on</source>
         <translation>включите его</translation>
     </message>
@@ -6149,32 +6149,32 @@
         <translation>действует с останова подготовки кадров</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the bar is used up</source>
         <translation>пруток закончился</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the channel's process is not there</source>
         <translation>нет процесса канала</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the chuck does not hold</source>
         <translation>патрон не держит</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the door is open</source>
         <translation>дверь открыта</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the emergency stop is active</source>
         <translation>аварийный останов активен</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the lubrication is missing</source>
         <translation>нет смазки</translation>
     </message>
@@ -6189,22 +6189,22 @@
         <translation>у станка такого нет</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the machine is not switched on</source>
         <translation>станок не включён</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is off</source>
         <translation>станок выключен</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>the machine is ready</source>
         <translation>станок готов</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>режим ручных перемещений</translation>
     </message>
@@ -6219,22 +6219,22 @@
         <translation>программа не занимает времени</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the reset is not over</source>
         <translation>сброс не закончен</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store has lost data: no production</source>
         <translation>хранилище потеряло данные: работы нет</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the store is dead: nothing would be kept</source>
         <translation>хранилище не работает: ничего не сохранится</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>задняя бабка ни отведена, ни прижата</translation>
     </message>
@@ -6284,7 +6284,7 @@
         <translation>момент</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>turn the button back, then press machine on</source>
         <translation>отпустите кнопку, затем включите станок</translation>
     </message>
@@ -6329,32 +6329,32 @@
         <translation>скорость</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/machine_step.hpp"/>
+        <location filename="../../ipc/model/machine/machine_step.hpp"/>
         <source>wait</source>
         <translation>подождите</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait for them; if it was refused, restart again or reset</source>
         <translation>подождите их; если он отклонён, пустите снова или сбросьте</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it is started again, then reset</source>
         <translation>подождите его запуска, затем сброс</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it rests</source>
         <translation>подождите её остановки</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until it runs again</source>
         <translation>подождите его запуска</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../../ipc/requests/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>подождите остановки осей</translation>
     </message>

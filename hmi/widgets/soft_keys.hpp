@@ -4,7 +4,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 
 namespace polyturn::hmi {
 

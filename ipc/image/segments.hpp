@@ -160,7 +160,7 @@ struct SupervisorSegment {
 // Rows of ChannelStore::zeros (each kChannelAxes values, by the position of the axis in its
 // channel): 0 external shift (all systems), 1..6 G54..G59, 7 work shift (G10 P0), 8 free (the shift
 // of G92/G50 is not stored), 10 + p: G54.1 Pp (p = 1..300), 311 G53 (mefi), 312 G500, 313..319 and
-// 9: G54.2 P1..P8 (ipc/machine/store/work_zeros.hpp).
+// 9: G54.2 P1..P8 (ipc/model/machine/store/work_zeros.hpp).
 inline constexpr std::size_t kZeroExternal = 0, kZeroG54 = 1, kZeroShift = 7, kZeroG541 = 10;
 
 }  // namespace polyturn

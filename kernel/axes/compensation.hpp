@@ -19,7 +19,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "kernel/motion/jerk_profile.hpp"
 #include "kernel/tick/core.hpp"
 

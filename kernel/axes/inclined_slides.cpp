@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ipc/machine/angular_axes.hpp"
+#include "ipc/model/machine/angular_axes.hpp"
 
 namespace polyturn::kernel {
 namespace p = params;

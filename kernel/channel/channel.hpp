@@ -10,7 +10,7 @@
 
 #include "ipc/image/interrupt_inputs.hpp"
 #include "ipc/kinematics/kinematics.hpp"
-#include "ipc/machine/language_traits.hpp"
+#include "ipc/model/languages/language_traits.hpp"
 #include "kernel/by_hand/positioning_program.hpp"
 #include "kernel/channel/parts/block_shown.hpp"
 #include "kernel/channel/parts/channel_path.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ipc/machine/reference_position.hpp"
+#include "ipc/model/machine/reference_position.hpp"
 
 namespace polyturn::kernel {
 

@@ -2,7 +2,7 @@
 // for one that is missing.
 #include <dlfcn.h>
 
-#include "ipc/text/regular_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
 #include "kernel/drives/segment_drives.hpp"
 
 namespace polyturn::kernel {

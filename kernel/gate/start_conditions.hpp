@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "ipc/machine/start_words.hpp"
+#include "ipc/requests/start_words.hpp"
 #include "kernel/tick/core.hpp"
 
 namespace polyturn::kernel {

@@ -9,7 +9,7 @@
 
 #include "ipc/image/segments.hpp"
 #include "ipc/params/registry.hpp"
-#include "ipc/text/regular_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
 
 namespace polyturn::plc {
 

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 #include "kernel/plc/plc_api.h"
 
 namespace polyturn::plc {

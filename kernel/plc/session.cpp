@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ipc/memory/segment.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 #include "kernel/plc/cycle_watch.hpp"
 
 namespace polyturn::plc {

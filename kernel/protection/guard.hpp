@@ -13,7 +13,7 @@
 // they may always go. The displacement along a path bends as it has bent in the last tick.
 //
 // The bodies themselves, and how a turret carries the tools of its other stations:
-// ipc/machine/bodies/room_bodies.hpp.
+// ipc/model/bodies/room_bodies.hpp.
 //
 // Only the relative displacement of two bodies counts, so the eight points are found once for a
 // pair, and a box pair adds four subtractions to each. Pairs, and boxes of them, that are too far
@@ -26,7 +26,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ipc/machine/bodies/room_bodies.hpp"
+#include "ipc/model/bodies/room_bodies.hpp"
 #include "kernel/tick/core.hpp"
 #include "kernel/tools/tool_shapes.hpp"
 

@@ -1,7 +1,7 @@
 // What each command does, at the start of its tick.
 #include <algorithm>
 
-#include "ipc/machine/command_levels.hpp"
+#include "ipc/requests/command_levels.hpp"
 #include "kernel/tick/command_check.hpp"
 #include "kernel/tick/machine.hpp"
 

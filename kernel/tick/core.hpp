@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "kernel/axes/axis_unit.hpp"
 #include "kernel/protection/stroke_guard.hpp"
 #include "kernel/spindles/spindle_unit.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "kernel/tick/core.hpp"
 
 namespace polyturn::kernel {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ipc/machine/store/counters.hpp"
+#include "ipc/requests/counters.hpp"
 #include "kernel/axes/axis_unit.hpp"
 #include "kernel/tools/store_link.hpp"
 

@@ -1,8 +1,8 @@
 // Outlines of the tools in the turrets, as protection guards them
-// (ipc/machine/bodies/tool_shapes.hpp): read by a thread outside the cyclic one, then handed to the
+// (ipc/model/bodies/tool_shapes.hpp): read by a thread outside the cyclic one, then handed to the
 // cyclic thread as plain numbers.
 #pragma once
-#include "ipc/machine/bodies/tool_shapes.hpp"
+#include "ipc/model/bodies/tool_shapes.hpp"
 
 namespace polyturn::kernel {
 using polyturn::read_tool_shapes;

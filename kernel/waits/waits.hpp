@@ -23,7 +23,7 @@
 #include <cstdint>
 
 #include "ipc/capacities.hpp"
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::kernel {
 

@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "kernel/protection/guard.hpp"
 #include "kernel/tick/machine.hpp"
 

@@ -13,7 +13,7 @@
 #include "channels/language.hpp"
 #include "channels/process/run_port.hpp"
 #include "channels/records/record_sink.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 
 namespace polyturn::channels {
 namespace {

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "../unit/toolmgmt/store_rig.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/params/param_file.hpp"
 #include "tests/places.hpp"
 #include "toolmgmt/database.hpp"

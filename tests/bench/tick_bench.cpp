@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "kernel/tick/machine.hpp"
 
 namespace polyturn::kernel {

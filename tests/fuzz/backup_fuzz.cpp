@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "toolmgmt/database.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/operations/restore_diff.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/params/param_file.hpp"
 #include "tests/fuzz/draw.hpp"
 #include "toolmgmt/operations/operation.hpp"

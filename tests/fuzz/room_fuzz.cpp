@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ipc/machine/bodies/room.hpp"
-#include "ipc/machine/store/apply_setup.hpp"
+#include "ipc/model/bodies/room.hpp"
+#include "ipc/model/machine/store/apply_setup.hpp"
 
 namespace {
 

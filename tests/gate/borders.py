@@ -7,6 +7,7 @@ import pathlib
 import re
 
 LANGUAGES = ("channels/fanuc", "channels/sinumerik", "channels/fagor")
+FANUC_FAMILY = ("channels/fanuc", "channels/nct", "channels/mefi")
 # what the interpreters' languages are made of: no language, no process, no check among it
 ENGINE = ("channels", "channels/engine", "channels/text", "channels/state", "channels/pipeline", "channels/corners",
           "channels/compensation", "channels/cycles")
@@ -16,22 +17,22 @@ BORDERS = {
     "ipc": ("ipc",),
     "ipc/model": MODEL,
     # the cyclic process: no channel, no store, no screen; its motion and its board of waits know nothing of a machine
-    "kernel": (*MODEL, "kernel", "kernel/motion"),
+    "kernel": (*MODEL, "kernel", "kernel/motion", "kernel/waits/waits.hpp"),
     "kernel/motion": ("ipc", "kernel/motion"),
-    "kernel/waits/waits.cpp": MODEL,
+    "kernel/waits/waits.hpp": MODEL,
+    "kernel/waits/waits.cpp": (*MODEL, "kernel/waits/waits.hpp"),
     "kernel/supervisor": (*MODEL, "kernel/supervisor", "kernel/waits/waits.hpp"),
     "toolmgmt": (*MODEL, "toolmgmt"),
-    # a language knows what all are made of, and no other one; nct and mefi are settings of fanuc
+    # a language knows what all are made of, and no other one; fanuc, nct and mefi are one family with one table of codes
     "channels": (*MODEL, *ENGINE, "channels/check", "channels/process", "channels/hold", "channels/records", "channels/path",
                  *LANGUAGES, "channels/nct", "channels/mefi"),
     **{f"channels/{folder}": (*MODEL, *ENGINE) for folder in ("engine", "state", "pipeline", "corners", "compensation", "cycles")},
-    "channels/text": ("ipc", "channels/text"),
+    "channels/text": (*MODEL, "channels/text"),
     "channels/path": (*MODEL, "channels/path"),
     **{f"channels/{folder}": (*MODEL, *ENGINE, "channels/check", "channels/process", "channels/hold", "channels/records",
                               "channels/path") for folder in ("check", "process", "hold", "records")},
     **{language: (*MODEL, *ENGINE, language) for language in LANGUAGES},
-    "channels/nct": (*MODEL, *ENGINE, "channels/nct", "channels/fanuc"),
-    "channels/mefi": (*MODEL, *ENGINE, "channels/mefi", "channels/nct", "channels/fanuc"),
+    **{relative: (*MODEL, *ENGINE, *FANUC_FAMILY) for relative in FANUC_FAMILY},
     # the model of the screens knows no widget, a widget no screen, a screen not the window that shows it
     "hmi": (*MODEL, "hmi"),
     "hmi/text": (*MODEL, "hmi/text"),

@@ -11,10 +11,10 @@
 #include <set>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/param_file.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 #include "toolmgmt/schema.hpp"
 
 namespace polyturn::toolmgmt {

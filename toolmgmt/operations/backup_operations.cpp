@@ -5,8 +5,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/load_machine.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/operations/restore_diff.hpp"

@@ -16,10 +16,10 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "ipc/machine/errors/compensation_cells.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
-#include "ipc/text/read_file.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/compensation/compensation_cells.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
+#include "ipc/model/files/read_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 #include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/operations/operation.hpp"
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/store/counters.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/requests/counters.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/apply_request.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/display_language.hpp"
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {

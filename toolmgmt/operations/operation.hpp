@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "toolmgmt/database.hpp"
 #include "toolmgmt/store_values.hpp"
 

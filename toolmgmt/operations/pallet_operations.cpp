@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"

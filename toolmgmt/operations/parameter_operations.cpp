@@ -11,8 +11,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/requests/store_requests.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/params/registry.hpp"

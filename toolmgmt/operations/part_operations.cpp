@@ -12,8 +12,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"

@@ -2,7 +2,7 @@
 // inclined and its axes are elsewhere (fanuc_lathe 10.5: relative and absolute positions are
 // rectangular). X as a radius.
 #pragma once
-#include "ipc/machine/angular_axes.hpp"
+#include "ipc/model/machine/angular_axes.hpp"
 #include "toolmgmt/operations/operation.hpp"
 
 namespace polyturn::toolmgmt {

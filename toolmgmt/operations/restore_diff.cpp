@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/registry.hpp"
 

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/stop_causes.hpp"
+#include "ipc/model/machine/stop_causes.hpp"
 #include "toolmgmt/operations/operation.hpp"
 
 namespace polyturn::toolmgmt {

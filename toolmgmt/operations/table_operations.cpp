@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/apply_request.hpp"

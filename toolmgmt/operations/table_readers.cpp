@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 
 namespace polyturn::toolmgmt {
 namespace {

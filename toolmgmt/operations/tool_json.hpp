@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "toolmgmt/operations/operation.hpp"
 
 namespace polyturn::toolmgmt {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/operation.hpp"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/rectangular.hpp"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <iostream>
 
-#include "ipc/text/regular_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
 
 namespace polyturn::presetter {
 

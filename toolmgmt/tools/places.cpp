@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ipc/machine/shortest_text.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/shortest_text.hpp"
+#include "ipc/model/machine/shortest_text.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 

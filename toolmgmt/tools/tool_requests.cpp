@@ -5,8 +5,8 @@
 #include <cstring>
 #include <memory>
 
-#include "ipc/machine/store/edge_lengths.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/tools/life_groups.hpp"

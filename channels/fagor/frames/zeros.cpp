@@ -4,7 +4,7 @@
 #include "channels/fagor/grammar/words.hpp"
 #include "channels/fagor/motion/lengths.hpp"
 #include "channels/fagor/tools/spindle.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::fagor {
 

@@ -6,7 +6,7 @@
 #include "channels/fagor/execution.hpp"
 #include "channels/fagor/tools/m_functions.hpp"
 #include "channels/fagor/tools/tool_words.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 
 namespace polyturn::channels::fagor {
 

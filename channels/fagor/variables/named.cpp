@@ -14,7 +14,7 @@
 #include "channels/fagor/variables/plc.hpp"
 #include "channels/fagor/variables/states.hpp"
 #include "channels/fagor/variables/tables.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {

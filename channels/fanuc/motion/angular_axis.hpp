@@ -1,4 +1,4 @@
-// Angular axis control (fanuc_lathe 10.5; formulas: ipc/machine/angular_axes.hpp) between the
+// Angular axis control (fanuc_lathe 10.5; formulas: ipc/model/machine/angular_axes.hpp) between the
 // program and the machine.
 //
 // Interpreter, cycles and compensation work at right angles; this sink and this port stand between
@@ -9,7 +9,7 @@
 #include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
-#include "ipc/machine/angular_axes.hpp"
+#include "ipc/model/machine/angular_axes.hpp"
 
 namespace polyturn::channels::fanuc {
 

@@ -4,7 +4,7 @@
 
 #include "channels/fanuc/execution.hpp"
 #include "channels/fanuc/tools/tool_words.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {

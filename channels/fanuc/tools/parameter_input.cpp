@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "channels/fanuc/execution.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "ipc/params/param_file.hpp"
 
 namespace polyturn::channels::fanuc {

@@ -13,7 +13,7 @@
 #include "channels/sinumerik/grammar/words.hpp"
 #include "channels/sinumerik/spindles/speed_limits.hpp"
 #include "channels/sinumerik/spindles/spindle_commands.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {

@@ -10,7 +10,7 @@
 #include "channels/sinumerik/flow/run.hpp"
 #include "channels/sinumerik/grammar/without_effect.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {

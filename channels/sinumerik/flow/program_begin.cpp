@@ -3,7 +3,7 @@
 
 #include "channels/sinumerik/execution.hpp"
 #include "channels/text/word_scanner.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::sinumerik {
 

@@ -17,7 +17,7 @@
 #include "channels/sinumerik/frames/geo_variables.hpp"
 #include "channels/sinumerik/geometry/units.hpp"
 #include "channels/sinumerik/variables/changes.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {

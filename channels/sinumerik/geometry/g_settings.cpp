@@ -8,7 +8,7 @@
 #include "channels/sinumerik/faults.hpp"
 #include "channels/sinumerik/frames/settable_frames.hpp"
 #include "channels/sinumerik/tools/tools.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {

@@ -10,7 +10,7 @@
 #include "channels/sinumerik/faults.hpp"
 #include "channels/sinumerik/geometry/g_settings.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::sinumerik {
 

@@ -16,7 +16,7 @@
 #include "channels/sinumerik/tools/tools.hpp"
 #include "channels/sinumerik/variables/changes.hpp"
 #include "channels/sinumerik/variables/variables.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {

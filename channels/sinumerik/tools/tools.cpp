@@ -16,7 +16,7 @@
 #include "channels/sinumerik/tools/managed_tools.hpp"
 #include "channels/sinumerik/tools/tool_functions.hpp"
 #include "channels/sinumerik/variables/variables.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {

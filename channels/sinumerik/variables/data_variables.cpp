@@ -11,7 +11,7 @@
 #include "channels/sinumerik/faults.hpp"
 #include "channels/sinumerik/spindles/speed_limits.hpp"
 #include "channels/sinumerik/variables/changes.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn::channels::sinumerik {

@@ -1,14 +1,14 @@
 // The compensation tables of a machine as curves: what an axis is corrected by at each of its
 // positions, and which parameters say so. From N2500 to N2808 and the measured cells
-// (ipc/machine/errors/compensation_tables.hpp), as kernel/axes/compensation.cpp reads them. Values
+// (ipc/model/compensation/compensation_tables.hpp), as kernel/axes/compensation.cpp reads them. Values
 // as they are stored: in the unit of the axis, X as a radius.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn::hmi {

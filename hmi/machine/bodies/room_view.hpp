@@ -1,4 +1,4 @@
-// The bodies of the machine in its room (ipc/machine/bodies/room_bodies.hpp: what protection
+// The bodies of the machine in its room (ipc/model/bodies/room_bodies.hpp: what protection
 // guards), at positions of the axes that somebody names: those of now, or those of a dry run.
 #pragma once
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/live/live.hpp"
-#include "ipc/machine/bodies/room_bodies.hpp"
+#include "ipc/model/bodies/room_bodies.hpp"
 
 namespace polyturn::hmi {
 

@@ -5,8 +5,8 @@
 
 #include "hmi/machine/tools/edge_words.hpp"
 #include "hmi/text/display_languages.hpp"
-#include "ipc/machine/start_words.hpp"
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/requests/start_words.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::hmi {
 

@@ -6,7 +6,7 @@
 #pragma once
 #include <QString>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 
 namespace polyturn::hmi {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "ipc/diagnosis/display_language.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::hmi {
 namespace {

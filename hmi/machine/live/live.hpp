@@ -12,8 +12,8 @@
 #include "hmi/machine/live/lengths.hpp"
 #include "ipc/diagnosis/languages.hpp"
 #include "ipc/image/block_pictures.hpp"
-#include "ipc/machine/angular_axes.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/angular_axes.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "ipc/memory/segment.hpp"
 
 namespace polyturn::hmi {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "hmi/machine/live/live.hpp"
-#include "ipc/machine/store/counters.hpp"
+#include "ipc/requests/counters.hpp"
 
 namespace polyturn::hmi {
 

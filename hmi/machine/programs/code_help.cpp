@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "hmi/text/display_languages.hpp"
-#include "ipc/text/own_m_codes.hpp"
+#include "ipc/model/languages/own_m_codes.hpp"
 
 namespace polyturn::hmi {
 

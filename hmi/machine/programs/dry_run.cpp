@@ -10,7 +10,7 @@
 
 #include "hmi/text/display_languages.hpp"
 #include "hmi/text/retold.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/model/files/job.hpp"
 
 namespace polyturn::hmi {
 namespace {

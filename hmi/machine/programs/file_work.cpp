@@ -18,8 +18,8 @@
 #include "hmi/machine/programs/ordinary_file.hpp"
 #include "hmi/text/display_languages.hpp"
 #include "ipc/diagnosis/os_errors.hpp"
-#include "ipc/text/job.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/job.hpp"
+#include "ipc/model/files/replace_file.hpp"
 
 namespace polyturn::hmi {
 namespace {

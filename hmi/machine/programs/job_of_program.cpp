@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "ipc/text/job.hpp"
+#include "ipc/model/files/job.hpp"
 
 namespace polyturn::hmi {
 

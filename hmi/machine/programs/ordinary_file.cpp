@@ -2,7 +2,7 @@
 
 #include <cerrno>
 
-#include "ipc/text/regular_file.hpp"
+#include "ipc/model/files/regular_file.hpp"
 
 namespace polyturn::hmi {
 

@@ -1,5 +1,5 @@
 // A file whose name comes from outside the screens, opened through the one door for files
-// (ipc/text/regular_file.hpp): a pipe or a device of that name would hold the thread that reads it
+// (ipc/model/files/regular_file.hpp): a pipe or a device of that name would hold the thread that reads it
 // for ever.
 #pragma once
 #include <QFile>

@@ -13,7 +13,7 @@
 
 #include "hmi/text/dates.hpp"
 #include "hmi/text/search.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::hmi {

@@ -4,7 +4,7 @@
 #include "hmi/machine/programs/file_text.hpp"
 #include "hmi/machine/tools/edge_words.hpp"
 #include "hmi/machine/tools/tool_words.hpp"
-#include "ipc/machine/store/job_differences.hpp"
+#include "ipc/model/machine/store/job_differences.hpp"
 
 namespace polyturn::hmi {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "ipc/params/table.hpp"
 
 namespace polyturn::hmi {

@@ -2,7 +2,7 @@
 // their values are called, along which axes their lengths lie.
 #pragma once
 #include "hmi/machine/tools/tool_words.hpp"
-#include "ipc/machine/store/edge_lengths.hpp"
+#include "ipc/model/machine/store/edge_lengths.hpp"
 
 namespace polyturn::hmi {
 

@@ -7,7 +7,7 @@
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/machine/tools/tool_words.hpp"
 #include "hmi/text/search.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/machine/tools/tool_words.hpp"
-#include "ipc/machine/active_tool.hpp"
+#include "ipc/model/machine/active_tool.hpp"
 
 namespace polyturn::hmi {
 namespace {

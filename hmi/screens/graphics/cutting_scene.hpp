@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hmi/machine/bodies/cutting_tool.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/model/files/job.hpp"
 
 namespace polyturn::hmi {
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <set>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/bodies/room_view.hpp"
 #include "hmi/machine/bodies/stroke_view.hpp"
 #include "hmi/machine/programs/dry_run.hpp"

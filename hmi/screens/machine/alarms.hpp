@@ -1,6 +1,6 @@
 // Alarms with cause, remedy and place: the active ones, and the history; the log of stops.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/screens/machine/stops_page.hpp"
 #include "hmi/widgets/table.hpp"
 

@@ -13,7 +13,7 @@
 #include <QElapsedTimer>
 #include <filesystem>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/bodies/compensation_curves.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/live/changes.hpp"

@@ -2,7 +2,7 @@
 // variables of the channels, timers and counters, processes with the computing time of ticks, the
 // scope and the circularity plot.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/live_totals.hpp"
 #include "hmi/screens/machine/scope_page.hpp"
 #include "hmi/widgets/table.hpp"

@@ -5,7 +5,7 @@
 #include "hmi/screens/machine/diagnosis.hpp"
 #include "hmi/text/search.hpp"
 #include "ipc/image/signal_translations.hpp"
-#include "ipc/machine/store/counters.hpp"
+#include "ipc/requests/counters.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/unit.hpp"
 #include "ipc/params/variable_text.hpp"

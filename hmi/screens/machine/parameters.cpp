@@ -12,7 +12,7 @@
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/portrait.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/params/translations.hpp"
 #include "ipc/params/unit.hpp"
 

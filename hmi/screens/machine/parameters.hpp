@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <optional>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/live/changes.hpp"
 #include "hmi/screens/machine/compensation_page.hpp"

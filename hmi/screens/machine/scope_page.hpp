@@ -2,7 +2,7 @@
 // trigger and export; and the circularity plot of the circle that was driven last, from the first
 // four traces.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/file_text.hpp"
 #include "hmi/screens/machine/scope_plot.hpp"

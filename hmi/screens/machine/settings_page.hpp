@@ -1,7 +1,7 @@
 // The computer's settings: date, zone, network, keyboard, and the language of the screens. What
 // this computer does not let anybody change here is shown with the reason.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/tools/computer_settings.hpp"
 #include "hmi/widgets/table.hpp"
 

@@ -1,7 +1,7 @@
 // The log of stops: when, how long, which channel, why; next to it the sum of each cause as a
 // picture, and the stops over the period.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/stop_log.hpp"
 #include "hmi/widgets/table.hpp"
 

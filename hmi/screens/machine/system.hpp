@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/file_work.hpp"
 #include "hmi/screens/machine/settings_page.hpp"

@@ -1,7 +1,7 @@
 // One channel of the overview, written into a box of any size: the smaller it is, the fewer lines
 // it has.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/programs/program_text.hpp"
 
 namespace polyturn::hmi {

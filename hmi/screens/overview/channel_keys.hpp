@@ -1,7 +1,7 @@
 // The channels of the machine as keys at the right end of a screen's title, the chosen one marked;
 // a touch gives its number.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 
 namespace polyturn::hmi {
 

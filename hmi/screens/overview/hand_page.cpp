@@ -8,7 +8,7 @@
 #include "hmi/screens/overview/operation_keys.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/portrait.hpp"
-#include "ipc/machine/active_tool.hpp"
+#include "ipc/model/machine/active_tool.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -2,7 +2,7 @@
 // spindle, and a part passed to the counter spindle step by step with the functions of the built-in
 // lathe PLC. Each sends what a program would say, as a block by hand.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/programs/transfer_steps.hpp"
 #include "hmi/widgets/table.hpp"
 

@@ -10,7 +10,7 @@
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/portrait.hpp"
-#include "ipc/machine/start_words.hpp"
+#include "ipc/requests/start_words.hpp"
 
 namespace polyturn::hmi {
 namespace {

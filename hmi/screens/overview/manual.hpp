@@ -3,7 +3,7 @@
 #pragma once
 #include <QElapsedTimer>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/screens/overview/hand_page.hpp"
 #include "hmi/widgets/text_pad.hpp"
 

@@ -2,7 +2,7 @@
 // F1 to F4 are the chosen channel's, F5 to F8 those of its machine group, or of all channels where
 // the machine is one group.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 
 namespace polyturn::hmi {
 

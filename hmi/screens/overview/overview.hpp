@@ -1,7 +1,7 @@
 // All channels side by side: what each does, where its axes are, what runs, what it waits for, what
 // a start still needs, its parts.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/programs/program_text.hpp"
 
 namespace polyturn::hmi {

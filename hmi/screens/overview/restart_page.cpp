@@ -10,7 +10,7 @@
 #include "hmi/machine/live/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/portrait.hpp"
-#include "ipc/machine/start_words.hpp"
+#include "ipc/requests/start_words.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -2,7 +2,7 @@
 // block at which it restarts. The control reads there without moving; the first start shows the
 // approach, the second one cuts (docs/operator.md).
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/programs/program_text.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"

@@ -1,6 +1,6 @@
 // Two programs side by side: what is not the same is marked, and the next place is one key away.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/text_difference.hpp"
 

@@ -1,6 +1,6 @@
 // A cycle of the program as a form with a picture: filled from the block at the cursor, or new from
 // the list of the language's cycles. What is written changes only the words that were changed
-// (ipc/forms). It lies over the editor and speaks to it by functions.
+// (ipc/model/languages). It lies over the editor and speaks to it by functions.
 #pragma once
 #include "hmi/screens/programs/editor_overlay.hpp"
 #include "hmi/widgets/number_pad.hpp"

@@ -1,8 +1,8 @@
 // What lies over the editor's text for a while and writes into it: cycle forms, the contour
 // calculator.
 #pragma once
-#include "hmi/app/screen.hpp"
-#include "ipc/forms/cycle_block.hpp"
+#include "hmi/widgets/screen.hpp"
+#include "ipc/model/languages/cycle_block.hpp"
 
 namespace polyturn::hmi {
 

@@ -10,7 +10,7 @@
 #include <QPlainTextEdit>
 #include <memory>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/file_text.hpp"
 #include "hmi/machine/programs/job_of_program.hpp"

@@ -2,7 +2,7 @@
 // done with files: copied with a checksum, compared, protected, renamed, deleted. Reading and
 // writing is done by workers; the screen only shows how far they are.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/file_work.hpp"
 #include "hmi/machine/programs/setup_sheet.hpp"

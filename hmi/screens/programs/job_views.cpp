@@ -8,7 +8,7 @@
 #include "hmi/screens/programs/programs.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/pictures/time_shape.hpp"
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::hmi {
 namespace {

@@ -16,8 +16,8 @@
 #include "hmi/screens/programs/contour_page.hpp"
 #include "hmi/screens/programs/cycle_form_page.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "ipc/text/job.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/job.hpp"
+#include "ipc/model/files/machine_path.hpp"
 
 namespace polyturn::hmi {
 namespace {

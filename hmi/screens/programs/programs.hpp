@@ -4,7 +4,7 @@
 #pragma once
 #include <QFileInfo>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/programs/aligned_job.hpp"
 #include "hmi/machine/programs/dry_run.hpp"
 #include "hmi/machine/programs/file_work.hpp"

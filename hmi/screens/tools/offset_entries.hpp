@@ -2,7 +2,7 @@
 // measured or touched, where the axes stand, edges that come and go. A value counts when the store
 // has answered: it is on disk then.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/changes.hpp"
 #include "hmi/machine/tools/offset_table.hpp"
 

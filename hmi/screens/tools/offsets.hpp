@@ -4,7 +4,7 @@
 // then. A channel that speaks sinumerik has no numbered offsets: in their place are the edges of
 // its tools.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/tools/offset_table.hpp"
 #include "hmi/screens/tools/offset_entries.hpp"
 #include "hmi/screens/tools/parts_page.hpp"

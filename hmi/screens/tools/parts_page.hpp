@@ -4,7 +4,7 @@
 #pragma once
 #include <QJsonObject>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 

@@ -8,7 +8,7 @@
 #include <QJsonObject>
 #include <memory>
 
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/live/aside.hpp"
 #include "hmi/machine/programs/file_work.hpp"
 #include "hmi/widgets/number_pad.hpp"

@@ -2,7 +2,7 @@
 // forecast, pallets, and what the presetter has measured. A tool is loaded, moved and unloaded by
 // dragging it or by keys; it is there when the store confirms it.
 #pragma once
-#include "hmi/app/screen.hpp"
+#include "hmi/widgets/screen.hpp"
 #include "hmi/machine/tools/edge_words.hpp"
 #include "hmi/screens/tools/presetter_page.hpp"
 #include "hmi/widgets/number_pad.hpp"

@@ -6,7 +6,7 @@
 
 #include "hmi/screens/tools/tools.hpp"
 #include "hmi/widgets/number_cells.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 
 namespace polyturn::hmi {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "hmi/widgets/pictures/cycle_scene.hpp"
-#include "ipc/forms/cycle_block.hpp"
+#include "ipc/model/languages/cycle_block.hpp"
 
 namespace polyturn::hmi {
 

@@ -5,7 +5,7 @@
 #include <QPolygonF>
 #include <vector>
 
-#include "ipc/forms/forms.hpp"
+#include "ipc/model/languages/forms.hpp"
 
 namespace polyturn::hmi {
 

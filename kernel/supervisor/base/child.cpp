@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "ipc/memory/life_line.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 
 namespace polyturn::supervisor {
 

@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "ipc/machine/drive_sources.hpp"
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/model/machine/drive_sources.hpp"
+#include "ipc/requests/store_requests.hpp"
 
 namespace polyturn::supervisor {
 

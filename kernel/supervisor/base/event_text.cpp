@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "ipc/machine/machine_step.hpp"
+#include "ipc/model/machine/machine_step.hpp"
 
 namespace polyturn::supervisor {
 

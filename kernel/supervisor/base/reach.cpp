@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ipc/params/handle.hpp"
-#include "ipc/text/machine_path.hpp"
-#include "ipc/text/read_file.hpp"
+#include "ipc/model/files/machine_path.hpp"
+#include "ipc/model/files/read_file.hpp"
 
 namespace polyturn::supervisor {
 namespace fs = std::filesystem;

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::supervisor {

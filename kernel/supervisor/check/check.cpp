@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ipc/machine/wait_name.hpp"
-#include "ipc/text/read_file.hpp"
+#include "ipc/model/languages/wait_name.hpp"
+#include "ipc/model/files/read_file.hpp"
 #include "kernel/supervisor/base/child.hpp"
 #include "kernel/supervisor/base/event_text.hpp"
 #include "kernel/supervisor/base/output.hpp"

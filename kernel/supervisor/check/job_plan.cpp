@@ -11,9 +11,9 @@
 #include <set>
 
 #include "ipc/diagnosis/display_language.hpp"
-#include "ipc/machine/fagor_diameter.hpp"
-#include "ipc/text/read_file.hpp"
-#include "ipc/text/setup_text.hpp"
+#include "ipc/model/languages/fagor_diameter.hpp"
+#include "ipc/model/files/read_file.hpp"
+#include "ipc/model/files/setup_text.hpp"
 #include "kernel/supervisor/base/json_fields.hpp"
 #include "kernel/supervisor/check/like.hpp"
 #include "kernel/supervisor/press/phrases.hpp"

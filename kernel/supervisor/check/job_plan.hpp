@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "ipc/diagnosis/languages.hpp"
-#include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/builder_messages.hpp"
-#include "ipc/text/job.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/machine/load_machine.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/builder_messages.hpp"
+#include "ipc/model/files/job.hpp"
+#include "ipc/model/files/setup.hpp"
 #include "kernel/supervisor/base/options.hpp"
 
 namespace polyturn::supervisor {

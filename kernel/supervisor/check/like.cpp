@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/machine/store/counters.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/requests/counters.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/registry.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/files/setup.hpp"
 
 namespace polyturn::supervisor {
 

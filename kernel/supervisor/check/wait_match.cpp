@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::supervisor {
 

@@ -24,7 +24,7 @@
 namespace polyturn::supervisor {
 
 struct WaitPoint {
-    std::int32_t code = 0;  // M code, marker or one of ipc/machine/wait_name.hpp
+    std::int32_t code = 0;  // M code, marker or one of ipc/model/languages/wait_name.hpp
     std::uint32_t set = 0;  // bit 0 is channel 1
     std::string file;
     std::uint32_t line = 0;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/store/job_differences.hpp"
+#include "ipc/model/machine/store/job_differences.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/press/phrases.hpp"
 #include "kernel/supervisor/status/ask_verbs.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ipc/machine/bodies/room.hpp"
+#include "ipc/model/bodies/room.hpp"
 #include "kernel/supervisor/plot/plot_panels.hpp"
 #include "kernel/supervisor/plot/plot_part.hpp"
 

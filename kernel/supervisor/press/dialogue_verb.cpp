@@ -7,7 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/press/phrases.hpp"
 #include "kernel/supervisor/status/ask_verbs.hpp"

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "ipc/machine/named_inputs.hpp"
+#include "ipc/model/machine/named_inputs.hpp"
 #include "kernel/supervisor/press/signal_words.hpp"
 
 namespace polyturn::supervisor {

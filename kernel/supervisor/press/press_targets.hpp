@@ -7,7 +7,7 @@
 
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/image/commands.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 
 namespace polyturn::supervisor {
 

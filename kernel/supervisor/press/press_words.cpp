@@ -12,7 +12,7 @@
 
 #include "ipc/image/commands.hpp"
 #include "ipc/params/param_file.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/model/files/job.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 #include "kernel/supervisor/press/press_targets.hpp"
 #include "kernel/supervisor/press/scope_words.hpp"

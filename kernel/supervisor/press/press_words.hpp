@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/job.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::supervisor {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::supervisor {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ipc/image/commands.hpp"
-#include "ipc/machine/store/store_requests.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/requests/store_requests.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/param_file.hpp"
 #include "kernel/supervisor/press/press_targets.hpp"
 #include "kernel/supervisor/press/press_words.hpp"

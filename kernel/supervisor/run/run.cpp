@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ipc/image/commands.hpp"
-#include "ipc/text/read_file.hpp"
+#include "ipc/model/files/read_file.hpp"
 #include "kernel/supervisor/base/event_text.hpp"
 #include "kernel/supervisor/press/signal_words.hpp"
 #include "kernel/supervisor/run/run_session.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ipc/image/commands.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 #include "kernel/supervisor/check/program_stops.hpp"
 #include "kernel/supervisor/press/press_words.hpp"
 #include "kernel/supervisor/run/run_session.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/scenario.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/scenario.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::supervisor {

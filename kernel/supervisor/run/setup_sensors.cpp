@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "ipc/machine/named_inputs.hpp"
+#include "ipc/model/machine/named_inputs.hpp"
 
 namespace polyturn::supervisor {
 namespace {

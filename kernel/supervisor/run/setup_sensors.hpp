@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ipc/image/commands.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/setup.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/setup.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 
 namespace polyturn::supervisor {

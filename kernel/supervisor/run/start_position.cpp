@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::supervisor {
 

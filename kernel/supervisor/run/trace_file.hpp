@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "kernel/supervisor/base/output.hpp"
 #include "polyturn/image_structs.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 
 namespace polyturn::supervisor {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "ipc/machine/drive_sources.hpp"
+#include "ipc/model/machine/drive_sources.hpp"
 #include "ipc/params/param_file.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 #include "kernel/supervisor/press/phrases.hpp"
 #include "kernel/supervisor/start/start_session.hpp"

@@ -12,8 +12,8 @@
 
 #include "ipc/diagnosis/display_language.hpp"
 #include "ipc/image/positioning_step.hpp"
-#include "ipc/machine/machine_step.hpp"
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/machine/machine_step.hpp"
+#include "ipc/model/files/machine_path.hpp"
 #include "kernel/supervisor/base/event_text.hpp"
 #include "kernel/supervisor/base/json_fields.hpp"
 #include "kernel/supervisor/base/refusal.hpp"

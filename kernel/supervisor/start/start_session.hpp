@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/machine_config.hpp"
-#include "ipc/text/builder_messages.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/model/machine/load_machine.hpp"
+#include "ipc/model/machine/machine_config.hpp"
+#include "ipc/model/files/builder_messages.hpp"
+#include "ipc/model/files/job.hpp"
 #include "kernel/supervisor/base/access.hpp"
 #include "kernel/supervisor/base/controller.hpp"
 #include "kernel/supervisor/base/event_joiner.hpp"

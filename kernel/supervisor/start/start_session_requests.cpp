@@ -5,8 +5,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/check/config_check.hpp"
-#include "ipc/machine/command_levels.hpp"
+#include "ipc/model/machine/check/config_check.hpp"
+#include "ipc/requests/command_levels.hpp"
 #include "ipc/params/param_file.hpp"
 #include "kernel/supervisor/base/refusal.hpp"
 #include "kernel/supervisor/press/press_words.hpp"

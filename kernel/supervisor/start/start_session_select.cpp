@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/display_language.hpp"
-#include "ipc/machine/store/job_differences.hpp"
+#include "ipc/model/machine/store/job_differences.hpp"
 #include "kernel/supervisor/base/reach.hpp"
 #include "kernel/supervisor/base/refusal.hpp"
 #include "kernel/supervisor/press/phrases.hpp"

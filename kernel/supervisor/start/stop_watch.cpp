@@ -1,7 +1,7 @@
 #include "kernel/supervisor/start/stop_watch.hpp"
 
 #include "ipc/image/enums.hpp"
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 namespace polyturn::supervisor {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/requests/store_requests.hpp"
 
 namespace polyturn::supervisor {
 

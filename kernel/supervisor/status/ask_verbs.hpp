@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ipc/diagnosis/diagnosis.hpp"
-#include "ipc/text/builder_messages.hpp"
+#include "ipc/model/files/builder_messages.hpp"
 #include "kernel/supervisor/base/options.hpp"
 
 namespace polyturn::supervisor {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "ipc/text/machine_path.hpp"
+#include "ipc/model/files/machine_path.hpp"
 #include "kernel/supervisor/base/child.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 #include "kernel/supervisor/status/latency.hpp"

@@ -8,16 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/bodies/room.hpp"
-#include "ipc/machine/check/config_check.hpp"
-#include "ipc/machine/errors/compensation_tables.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/bodies/room.hpp"
+#include "ipc/model/machine/check/config_check.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/params/translations.hpp"
-#include "ipc/text/read_file.hpp"
-#include "ipc/text/replace_file.hpp"
+#include "ipc/model/files/read_file.hpp"
+#include "ipc/model/files/replace_file.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"
 #include "kernel/supervisor/press/phrases.hpp"
 #include "kernel/supervisor/status/ask_verbs.hpp"

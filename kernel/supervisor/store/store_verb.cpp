@@ -11,7 +11,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "ipc/text/read_file.hpp"
+#include "ipc/model/files/read_file.hpp"
 #include "kernel/supervisor/base/access.hpp"
 #include "kernel/supervisor/base/child.hpp"
 #include "kernel/supervisor/check/job_plan.hpp"

@@ -11,7 +11,7 @@
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/sinumerik/grammar/tables.hpp"
 #include "channels/sinumerik/geometry/geo_threads.hpp"
-#include "ipc/forms/cycle_block.hpp"
+#include "ipc/model/languages/cycle_block.hpp"
 #include "tests/unit/channels/play.hpp"
 
 namespace polyturn::channels {

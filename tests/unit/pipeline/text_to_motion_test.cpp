@@ -13,7 +13,7 @@
 #include "channels/language.hpp"
 #include "channels/process/run_port.hpp"
 #include "channels/records/record_sink.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/path/path_geometry.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "tests/seeds.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "ipc/image/commands.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "ipc/params/param_file.hpp"
 
 namespace polyturn::supervisor {

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "ipc/machine/wait_name.hpp"
+#include "ipc/model/languages/wait_name.hpp"
 
 #include <algorithm>
 #include <memory>
 
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/image/enums.hpp"
-#include "ipc/machine/stop_causes.hpp"
+#include "ipc/model/machine/stop_causes.hpp"
 
 namespace polyturn::supervisor {
 namespace {

@@ -13,7 +13,7 @@
 #include <random>
 #include <string>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "tests/places.hpp"
 #include "tests/property.hpp"
 #include "toolmgmt/apply_request.hpp"

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "ipc/image/store_changes.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "ipc/params/registry.hpp"
 #include "store_rig.hpp"
 #include "tests/places.hpp"

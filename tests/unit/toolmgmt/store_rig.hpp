@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/requests/store_requests.hpp"
 #include "ipc/memory/segment.hpp"
 #include "tests/places.hpp"
 

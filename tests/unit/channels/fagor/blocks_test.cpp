@@ -4,7 +4,7 @@
 
 #include "../play.hpp"
 #include "../quiet_sink.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::testing {
 namespace {

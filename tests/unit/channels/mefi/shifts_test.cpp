@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../play.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 
 namespace polyturn::channels::testing {
 namespace {

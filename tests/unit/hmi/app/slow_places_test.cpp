@@ -149,7 +149,7 @@ TEST_F(SlowPlaces, AProgramThatDoesNotComeStopsNoScreen) {
 }
 
 // It would hold its reader until somebody writes into it: it does not come in at all
-// (ipc/text/regular_file.hpp).
+// (ipc/model/files/regular_file.hpp).
 TEST_F(SlowPlaces, APipeIsNoProgram) {
     const QByteArray pipe = QFile::encodeName(folder.filePath("hangs.nc"));
     ASSERT_EQ(::mkfifo(pipe.constData(), 0600), 0);

@@ -9,8 +9,8 @@
 #include "hmi/screens/overview/manual.hpp"
 #include "hmi/screens/programs/programs.hpp"
 #include "hmi/screens/tools/offsets.hpp"
-#include "ipc/machine/start_words.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/requests/start_words.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "tests/places.hpp"
 
 namespace polyturn::hmi {

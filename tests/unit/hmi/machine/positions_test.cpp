@@ -3,7 +3,7 @@
 #include <QFile>
 
 #include "hmi/screens/tools/offsets.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 

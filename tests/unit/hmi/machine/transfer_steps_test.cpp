@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "tests/places.hpp"
 
 namespace polyturn::hmi {

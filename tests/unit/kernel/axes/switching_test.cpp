@@ -4,7 +4,7 @@
 // of what the drives are told (the command, and what compensation adds behind it), from outside.
 #include <random>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
 #include "tests/seeds.hpp"
 #include "tests/unit/kernel/rig.hpp"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "ipc/image/block_pictures.hpp"
-#include "ipc/machine/machine_config.hpp"
+#include "ipc/model/machine/machine_config.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {

@@ -1,5 +1,5 @@
 // The way from power-on to ready, and back to it after a fault.
-#include "ipc/machine/machine_step.hpp"
+#include "ipc/model/machine/machine_step.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {

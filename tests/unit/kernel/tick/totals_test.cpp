@@ -1,5 +1,5 @@
 // Part counters, hours and last positions on their way to the store (nct_parameters_part2 24).
-#include "ipc/machine/store/counters.hpp"
+#include "ipc/requests/counters.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "ipc/image/store_changes.hpp"
-#include "ipc/machine/command_levels.hpp"
+#include "ipc/requests/command_levels.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ipc/machine/errors/compensation_tables.hpp"
-#include "ipc/text/read_file.hpp"
+#include "ipc/model/compensation/compensation_tables.hpp"
+#include "ipc/model/files/read_file.hpp"
 #include "tests/unit/toolmgmt/tools/tool_rig.hpp"
 
 namespace polyturn {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "../tools/tool_rig.hpp"
-#include "ipc/machine/store/store_requests.hpp"
+#include "ipc/requests/store_requests.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "tests/seeds.hpp"
 #include "toolmgmt/apply_request.hpp"

@@ -1,7 +1,7 @@
 // Zeros by hand: typed in, from a surface the tool stands at, from the workpiece setter (nct part
 // 2, 31: N3014 to N3018).
 #include "ipc/image/segments.hpp"
-#include "ipc/machine/store/work_zeros.hpp"
+#include "ipc/model/machine/store/work_zeros.hpp"
 #include "tests/unit/toolmgmt/tools/tool_rig.hpp"
 
 namespace polyturn {

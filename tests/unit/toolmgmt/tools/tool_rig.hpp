@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "ipc/machine/load_machine.hpp"
-#include "ipc/machine/store/tool_fields.hpp"
+#include "ipc/model/machine/load_machine.hpp"
+#include "ipc/model/machine/store/tool_fields.hpp"
 #include "ipc/params/param_file.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/places.hpp"

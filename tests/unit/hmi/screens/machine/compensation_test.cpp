@@ -6,7 +6,7 @@
 
 #include "hmi/machine/bodies/compensation_curves.hpp"
 #include "hmi/screens/machine/parameters.hpp"
-#include "ipc/machine/load_machine.hpp"
+#include "ipc/model/machine/load_machine.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
