@@ -88,8 +88,8 @@ private:
         smallFoot(QRectF(left_, bottom, wide_, foot));
     }
 
-    static double kSmallHead() { return px(14); }
-    static double kLeastRow() { return px(12); }
+    static double kSmallHead() { return px(13); }
+    static double kLeastRow() { return px(11); }
     static double kSmallBlock() { return px(20); }
 
     void smallHeader() {
@@ -431,7 +431,7 @@ private:
 
     void axes() {
         const std::size_t count = config_.axis_count;
-        const double head = px(dense_ ? 14 : 17), row = px(dense_ ? 22 : count > 4 ? 26 : 35);
+        const double head = px(dense_ ? 15 : 17), row = px(dense_ ? 22 : count > 4 ? 26 : 35);
         // eight channels side by side: condensed figures
         const bool narrow = wide_ < px(320);
         const double name = px(narrow ? 24 : 34), first = (wide_ - name) * (narrow ? 0.31 : 0.34),
