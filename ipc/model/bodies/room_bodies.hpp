@@ -8,8 +8,8 @@
 // turns each of them is anywhere on its circle.
 //
 //        axis o----- reach ---->| tool in work
-//              \
-//               \ t ---> [tool of the next station]
+//              '. t
+//                '. ---> [tool of the next station]
 //
 // A box from u to u' outwards of the axis, w wide across: turned by t it covers u cos t to
 // u' cos t, and w |sin t| on both sides (across, the width of a tool is taken as its width along
