@@ -9,7 +9,7 @@ import time
 import unittest
 
 from polyturn_runner import POLYTURN, SOURCE, Case
-from processes_e2e import command_line, descendants
+from process_tree import command_line, descendants
 
 MACHINE = SOURCE / "examples/machines/twin-turret"
 
