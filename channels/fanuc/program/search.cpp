@@ -5,7 +5,7 @@
 namespace polyturn::channels::fanuc {
 namespace {
 
-// Block number `number` of the running program: forward from here, then from its beginning.
+// Made when the first jump or call looks for something in the text.
 const BlockIndex& index_of(Execution& x, FileId file) {
     if (x.text.indexes.size() <= file) x.text.indexes.resize(file + 1u);
     if (!x.text.indexes[file]) x.text.indexes[file] = std::make_unique<BlockIndex>();
@@ -22,6 +22,7 @@ const BlockIndex& index_of(Execution& x, FileId file) {
 
 }  // namespace
 
+// Block number `number` of the running program: forward from here, then from its beginning.
 std::optional<TextPlace> find_block(Execution& x, std::int64_t number) {
     return index_of(x, x.calls.frames.back().file)
         .block(number, x.calls.frames.back().begin.offset, place_behind(x, x.text.behind).byte());
