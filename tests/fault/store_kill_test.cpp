@@ -144,6 +144,19 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
     double pieces_sent = 0;
     std::uint64_t last_use = 0;
     std::size_t acknowledged = 0;
+    // what was asked and answered for the life of each tool since the kill before the last one: a
+    // value that is lost shows here how
+    std::map<int, std::vector<std::string>> told_of;
+    const auto story = [&](int tool) {
+        std::string out;
+        for (const std::string& line : told_of[tool]) out += "\n  " + line;
+        return out;
+    };
+    const auto note = [&](int tool, const std::string& line) {
+        std::vector<std::string>& lines = told_of[tool];
+        lines.push_back(line);
+        if (lines.size() > 60) lines.erase(lines.begin(), lines.begin() + 20);
+    };
     const auto collect = [&] {
         while (const auto answer = rig.take_answer()) {
             const auto found = open.find(answer->id);
@@ -151,6 +164,9 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
             pieces[answer->id] += answer->text.data();
             if (answer->more) continue;
             const auto [moves, tool, value] = found->second;
+            if (!moves)
+                note(tool, std::to_string(answer->id) + " life " + std::to_string(value) + ": " +
+                               pieces[answer->id].substr(0, 120));
             const Json told = Json::parse(pieces[answer->id], nullptr, false);
             const bool good = told.is_object() && told.value("ok", false);
             Cell& cell = moves ? pot[tool] : life[tool];
@@ -201,6 +217,7 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
                 const double value = moves ? 1 + static_cast<double>(random() % 12)
                                            : 1000 + static_cast<double>(random() % 100'000);
                 (moves ? pot : life)[tool].asked.push_back(value);
+                if (!moves) note(tool, "asked for " + std::to_string(value));
                 open[moves ? send({{"do", "tools.move"},
                                    {"tool", tool},
                                    {"magazine", 1},
@@ -213,6 +230,8 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
             usleep(static_cast<useconds_t>(random() % 2000));
         }
         rig.kill_now();
+        for (int tool = 1; tool <= kMany; ++tool)
+            note(tool, "killed, " + std::to_string(open.size()) + " not answered");
         ASSERT_TRUE(rig.start(arguments)) << rig.messages();
         // the successor answers what was left
         for (int ms = 0; ms < 5000 && !open.empty(); ++ms) {
@@ -227,7 +246,7 @@ TEST(StoreKilled, LosesNothingOfToolsAndLife) {
             ASSERT_TRUE(row.used);
             EXPECT_TRUE(life[tool].possible(row.life))
                 << "tool " << tool << ": " << row.life << ", acknowledged "
-                << life[tool].acknowledged;
+                << life[tool].acknowledged << story(tool);
             EXPECT_TRUE(pot[tool].possible(row.pot)) << "tool " << tool << " in pot " << row.pot
                                                      << ", acknowledged " << pot[tool].acknowledged;
             EXPECT_TRUE(taken.insert(row.pot).second) << "two tools in pot " << row.pot;
