@@ -186,7 +186,7 @@
     <message>
         <location filename="../screens/machine/diagnosis_tables.cpp"/>
         <source>%1 too long</source>
-        <translation>слишком долгих: %1</translation>
+        <translation>опозданий: %1</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
